@@ -1,5 +1,5 @@
 // Judges the cases that a student has written, on standard input, and prints JSON:
-//   examples TABLE    the right and the wrong programs, as fixtures/public/wrong_programs.txt
+//   examples TABLE    the right and the buggy programs, as fixtures/public/wrong_programs.txt
 #include <fstream>
 #include <iostream>
 #include <iterator>

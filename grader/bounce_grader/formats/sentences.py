@@ -67,10 +67,10 @@ def about_cases(record: Report) -> list[str]:
     if not found:
         return []
     cases, caught, missed = found["cases"], found["caught"], found["missed"]
-    not_yet = f"; not caught: {', '.join(missed)}" if missed else ""
+    not_yet = f"; not caught yet: {', '.join(missed)}" if missed else ""
     return [
         f"Cases: {sum(case['right'] for case in cases)} of {len(cases)} are right; they catch "
-        f"{len(caught)} of {len(caught) + len(missed)} wrong programs{not_yet}",
+        f"{len(caught)} of {len(caught) + len(missed)} buggy programs{not_yet}",
         *(f"{case['place']}: {case['message']}" for case in cases if not case["right"]),
     ]
 

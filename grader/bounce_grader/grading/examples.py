@@ -22,7 +22,7 @@ LIMITS = Limits(cpu_seconds=5, wall_seconds=60, memory=1 << 30, file_size=1 << 2
 
 
 def folders() -> dict[str, str]:
-    """The gallery's folder of each wrong program: {"1A": "part1_quadrant_truncated"}."""
+    """The gallery's folder of each buggy program: {"1A": "part1_quadrant_truncated"}."""
     return dict(re.findall(r"(?m)^\[wrong (\S+) (\S+)\]$", SOURCE.read_text("utf-8")))
 
 
@@ -53,12 +53,12 @@ def _judged(cases: bytes, box: Box) -> Record:
 
 
 def _part_record(share: float, why: Facts, missed: Sequence[str] = ()) -> Record | None:
-    """A part of the record, in which each wrong program that is caught gives its share; None if they
+    """A part of the record, in which each buggy program that is caught gives its share; None if they
     give no points."""
     most, number = example_points(), len(parts()) + 1
     if not most:
         return None
-    check = Check(f"part{number}.CasesCatchWrongPrograms", "cases catch all wrong programs", most)
+    check = Check(f"part{number}.CasesCatchWrongPrograms", "cases catch all buggy programs", most)
     part = Part(number, f"part{number}_examples", "Cases", "", most, (check,), ())
     made = failed_part(part, "graded", why)
     made["notes"] = [fact("cases_missed", ", ".join(missed))] if missed else []

@@ -51,7 +51,7 @@ def table() -> str:
 
 
 def _changed(right: Formulas, own: Formulas) -> Formulas:
-    """A wrong program's formulas, in order."""
+    """A buggy program's formulas, in order."""
     changed: Formulas = {}
     before: dict[str, Formulas] = {}
     for name, formula in own.items():

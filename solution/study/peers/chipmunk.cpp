@@ -3,9 +3,9 @@
 //   restitution  the product of both shapes' elasticities: epsilon on the square, 1 on the ground;
 //                there is no least speed for it
 //   friction     the product: mu on the square, 1 on the ground
-//   contact      collision slop 0 in place of 0.1, which is meant for pixels; bias, persistence and 10
-//                iterations as they are, which leave a rest of the impulse that does not shrink with
-//                the step
+//   contact      collision slop 0 in place of 0.1, which is meant for pixels; bias, persistence
+//                and 10 iterations as they are, which leave a rest of the impulse that does not
+//                shrink with the step
 //   sleeping     on, after 0.1 s; as it is, it is off unless one asks for it
 //   package      Debian's is built with the engine's own checks
 //   the ground   a static polygon, so that what gets far into it is still pushed out upwards

@@ -37,7 +37,7 @@ void print(const examples::Verdict& verdict) {
     return;
   }
   const bool catches = !verdict.caught.empty();
-  std::cout << ": right; it catches " << (catches ? listed(verdict.caught) : "no wrong program")
+  std::cout << ": right; it catches " << (catches ? listed(verdict.caught) : "no buggy program")
             << "\n";
 }
 
@@ -53,8 +53,8 @@ bool print_all(const examples::Judged& judged, int only) {
     if (only && part != only) continue;
     const Names caught = of_part(judged.caught, part), missed = of_part(judged.missed, part);
     std::cout << "Part " << part << ": your cases catch " << caught.size() << " of "
-              << caught.size() + missed.size() << " wrong programs."
-              << (missed.empty() ? "" : " Not yet: " + listed(missed) + ".") << "\n";
+              << caught.size() + missed.size() << " buggy programs."
+              << (missed.empty() ? "" : " Not caught yet: " + listed(missed) + ".") << "\n";
     is_done = is_done && missed.empty();
   }
   if (!of_part(judged.missed, only).empty()) {
@@ -64,17 +64,17 @@ bool print_all(const examples::Judged& judged, int only) {
   return is_done;
 }
 
-// The next stage for the first wrong program that is left.
+// The next stage for the first buggy program that is left.
 void print_hint(const Names& missed) {
   if (missed.empty()) {
-    std::cout << "Your cases catch all wrong programs: no hint is needed.\n";
+    std::cout << "Your cases catch all buggy programs: no hint is needed.\n";
     return;
   }
   const std::string& program = missed.front();
   const int stage = std::min(next_stage(program), kStages);
   const Names lines = lines_of(read("given/examples/hints.txt"));
   const auto name = std::find(lines.begin(), lines.end(), program);
-  std::cout << "Wrong program " << program << ", hint " << stage << " of " << kStages << ": "
+  std::cout << "Buggy program " << program << ", hint " << stage << " of " << kStages << ": "
             << name[stage] << "\n";
 }
 

@@ -33,7 +33,7 @@ void study(const Run& run, bool whole);
 // as study does.
 void ask_about_real_impacts(Run& run);
 
-// Says which wrong programs the cases in examples.txt catch, of one part or of all (0), or opens
+// Says which buggy programs the cases in examples.txt catch, of one part or of all (0), or opens
 // the next stage of a hint. Whether nothing is left to do. Throws Failure.
 bool judge_examples(int part, bool hints);
 

@@ -257,7 +257,7 @@ Verdict judged(const Case& asked, const std::string& place, const Table& table) 
     if (verdict.is_right) {
       verdict.caught.push_back(program.name);
     } else {
-      verdict.sentence += "; wrong program " + program.name + " answers this";
+      verdict.sentence += "; buggy program " + program.name + " answers this";
     }
   }
   return verdict;

@@ -1,5 +1,5 @@
 """The cases that students write before the code: what is said of them, and that the formulas for the
-wrong programs answer as the gallery's programs do."""
+buggy programs answer as the gallery's programs do."""
 
 import json
 import re
@@ -162,4 +162,4 @@ def test_formulas_answer_as_programs(part: Part, drawn: list[Path], tmp_path: Pa
         told = verdicts(lines)
         caught = {n for n in readable if program in for_all[n]["caught"]}
         assert caught == {n for n in readable if not told[n]["right"]} != set()
-        assert all(f"wrong program {program} answers this" in told[n]["message"] for n in caught)
+        assert all(f"buggy program {program} answers this" in told[n]["message"] for n in caught)

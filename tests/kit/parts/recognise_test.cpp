@@ -46,7 +46,8 @@ Answers changed(Answers answers, std::size_t question, Eigen::Index entry, doubl
 std::string names(const std::vector<Answers>& known, const Answers& got) {
   KnownMistakes all{4, with(same), {}};
   for (const Answers& answers : known) {
-    all.mistakes.push_back({std::string(1, char('a' + all.mistakes.size())), "", "", "", {}, {}, answers});
+    all.mistakes.push_back(
+        {std::string(1, char('a' + all.mistakes.size())), "", "", "", {}, {}, answers});
   }
   std::string found;
   for (const Mistake& m : recognise(all, got)) found += m.name;

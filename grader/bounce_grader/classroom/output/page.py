@@ -74,7 +74,7 @@ def _cases(graded: Sequence[Summary]) -> list[str]:
     folders = examples.folders()
     nobody = [f"{name} ({folders[name]})" for name in folders if not any(name in c for c in caught)]
     return [
-        f"{len(caught)} handed in cases that catch a wrong program, "
+        f"{len(caught)} handed in cases that catch a buggy program, "
         f"{statistics.mean(map(len, caught)):.1f} of {len(folders)} in the mean.",
         f"Caught by nobody: {', '.join(nobody) or 'none'}.",
     ]
