@@ -83,7 +83,7 @@ Patterns formulas(const WrongPart& wrong, const std::string& rows = "");
 // each for a quantity with its own rule; else none.
 Patterns rules(const WrongPart& wrong, const std::vector<Number>& numbers);
 
-// "Changing only l doesn't change phi in your answers, and it should": if it is so in all questions
+// "Changing only l doesn't change phi in your answers, but it should": if it is so in all questions
 // that differ in this number alone.
 Patterns inputs(const WrongPart& wrong);
 

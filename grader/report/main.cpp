@@ -158,10 +158,13 @@ int main(int argc, char** argv) try {
   const bool reveal = argc == 4 && argv[3] == std::string("--reveal");
   sentences_folder = argv[1];
   hints_folder = argv[2];
-  std::ifstream facts(argc == 4 && !reveal ? argv[3] : "");
-  json all = json::parse(facts.is_open() ? facts : std::cin);
+  const bool is_in_a_file = argc == 4 && !reveal;
+  std::ifstream facts(is_in_a_file ? argv[3] : "");
+  json all = json::parse(is_in_a_file ? facts : std::cin);
   for (json& part : all.at("parts")) part = told(part, reveal);
-  for (json& ended : all["endings"]) ended = ended.is_null() ? "" : said(ending_from(ended));
+  if (all.contains("endings")) {
+    for (json& ended : all["endings"]) ended = ended.is_null() ? "" : said(ending_from(ended));
+  }
   std::cout << all.dump() << std::endl;
   return std::cout ? 0 : 3;
 } catch (const std::exception& e) {

@@ -69,6 +69,11 @@ std::string why(const Part& part) {
          in_quotes(first.substr(first.find_first_not_of(' '))) + "]}";
 }
 
+std::string notes_of(const Part& part) {
+  if (part.undecided() == 0) return "";
+  return "{\"id\": \"undecided\", \"words\": [" + in_quotes(number(part.undecided())) + "]}";
+}
+
 // The known mistakes and patterns as facts, where a check failed by its numbers.
 std::string mistakes_of(const Run& run, const Part& part) {
   const std::string none = "\"mistakes\": [], \"patterns\": []";
@@ -96,8 +101,9 @@ std::string part_of(const Run& run, const Part& part) {
          ", \"title\": " + in_quotes(part.title) + ", \"score\": " + number(part.worth()) +
          ", \"max_score\": " + number(part.points) + ", \"status\": " + in_quotes(status) +
          ", \"graded_with\": " + (part.is_given ? "\"given\"" : "\"own\"") +
-         ", \"why\": " + why(part) + ", \"notes\": [], " + mistakes_of(run, part) +
-         ", \"remarks\": [],\n\"checks\": [" + checks + "]" + place_of(place) + "}";
+         ", \"why\": " + why(part) + ", \"notes\": [" + notes_of(part) + "], " +
+         mistakes_of(run, part) + ", \"remarks\": [],\n\"checks\": [" + checks + "]" +
+         place_of(place) + "}";
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ def grade(
 
 
 def _summaries(
-    tasks: Sequence[Task], missing: Sequence[tuple[str, str]], reveal: bool = False
+    tasks: Sequence[Task], missing: Sequence[tuple[str, str]], reveal: bool
 ) -> list[Summary]:
     """What is known of submissions; those without a result have these states and messages."""
     loaded = [results.load(task.folder, task.key) for task in tasks]
@@ -72,13 +72,18 @@ def _summaries(
 
 
 def differences(there: Stamp, tasks: Sequence[Task], summaries: Sequence[Summary]) -> list[str]:
-    """How these results differ from those that count so far, in scores and passed checks."""
+    """How these results differ from those that count so far, in scores and passed checks. Of the
+    latter, whose records another version of the kit has laid out, only the points are read."""
     lines, differing = [], 0
-    missing = [("failed" if now.state == "failed" else "not graded", "") for now in summaries]
-    earlier = _summaries([task._replace(stamp=there) for task in tasks], missing)
-    for before, now in zip(earlier, summaries):
-        scores = [one.state if one.score is None else one.score for one in (before, now)]
-        old, new = ({id: c["score"] for id, c in one.checks.items()} for one in (before, now))
+    for task, now in zip(tasks, summaries):
+        missing = "failed" if now.state == "failed" else "not graded"
+        earlier = task._replace(stamp=there)
+        before = results.load(earlier.folder, earlier.key) or {"state": missing, "record": {}}
+        parts = before["record"].get("parts", [])
+        old = {check["id"]: check["score"] for part in parts for check in part["checks"]}
+        new = {id: check["score"] for id, check in now.checks.items()}
+        scores = [before["record"].get("score", before["state"])]
+        scores.append(now.state if now.score is None else now.score)
         failing = [{id for id, points in of.items() if not points} for of in (old, new)]
         if scores[0] == scores[1] and failing[0] == failing[1]:
             continue
