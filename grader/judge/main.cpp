@@ -10,16 +10,19 @@
 //   "seconds", "cpu_seconds"   for the whole part: checks that there is no time left for fail
 //   "recognise", "answers", "watch"   see below
 //
-// Prints {"checks": [{"id", "passed", "status", "ended", "stack", "failure", "answer"}],
+// Prints {"checks": [{"id", "passed", "status", "ended", "stack", "failure", "answer",
+// "smallest"}],
 //         "largest_error": number or null, "asked_given": bool, "mistakes": [known mistake],
 //         "patterns": [{"id", "words", "about"}]}
 // ended says how the program ended, if it did, {"what", "number", "text"}, and stack where it came;
 // failure is the failed case in numbers, and answer what is right there, which students must not
-// see if the case is hidden (both: tests/parts/facts.hpp); null if the check passed, or failed as a
-// whole. largest_error is the largest in public cases, and null if it isn't finite. asked_given
-// says whether the program called the given part before. mistakes and patterns (recognise.hpp) are
-// empty unless "recognise" is given and a check failed; then a second runner is asked the public
-// cases.
+// see if the case is hidden; null if the check passed, or failed as a whole. smallest is the
+// simplest wrong case: with "recognise" and hidden cases, of the first check with a wrong number,
+// one that is looked for with more questions (smallest.hpp); else the simplest public one (all
+// three: tests/parts/facts.hpp). largest_error is the largest in public cases, and null if it isn't
+// finite. asked_given says whether the program called the given part before. mistakes and patterns
+// (recognise.hpp) are empty unless "recognise" is given and a check failed; then a second runner is
+// asked the public cases.
 //
 // With "answers", it prints the runner's answers to the public cases instead: each is a list of
 // numbers, with null for NaN and infinity, or the text of an exception. With "watch", it asks
@@ -42,6 +45,7 @@
 #include "../../tests/parts/facts.hpp"
 #include "../diagnosis/recognise.hpp"
 #include "session.hpp"
+#include "smallest.hpp"
 
 namespace bounce {
 
@@ -141,6 +145,8 @@ class Verdicts : public testing::EmptyTestEventListener, public tests::Reporter 
   explicit Verdicts(const std::map<std::string, AskedCheck>& asked) : asked_(asked) {}
   json checks = json::array();
   std::string kit_failure;
+  std::optional<tests::Failure> with_numbers;  // the first failure that has a wrong number
+  std::size_t place = 0;                       // of its check
 
  private:
   const std::map<std::string, AskedCheck>& asked_;
@@ -149,6 +155,10 @@ class Verdicts : public testing::EmptyTestEventListener, public tests::Reporter 
 
   std::string fails(const tests::Failure& failure) override {
     reported_ = json::parse(tests::facts(tests::failed_case(failure)));
+    if (!with_numbers && !failure.problem.differences.empty()) {
+      with_numbers = failure;
+      place = checks.size();
+    }
     ++failures_;
     return "";
   }
@@ -166,14 +176,16 @@ class Verdicts : public testing::EmptyTestEventListener, public tests::Reporter 
     }
     const bool passed = test.result()->Passed();
     const auto& end = asked_.at(id).end;
-    if (passed || (end && end->of_no_case)) reported_ = {{"failure", nullptr}, {"answer", nullptr}};
+    if (passed || (end && end->of_no_case))
+      reported_ = {{"failure", nullptr}, {"answer", nullptr}, {"smallest", nullptr}};
     checks.push_back({{"id", id},
                       {"passed", passed},
                       {"status", end ? end->status : "graded"},
                       {"ended", end ? facts_of(*end) : json()},
                       {"stack", end ? end->stack : ""},
                       {"failure", reported_.at("failure")},
-                      {"answer", reported_.at("answer")}});
+                      {"answer", reported_.at("answer")},
+                      {"smallest", reported_.at("smallest")}});
   }
 };
 
@@ -199,6 +211,27 @@ void recognise(json& result) {
   const std::vector<tests::Case> questions = tests::questions(part);
   const auto found = tests::diagnosis(part, questions, fresh_answers(questions));
   result.update(json::parse(tests::facts(found)));
+}
+
+// The check in whose cases to look for the simplest one: where it asks several steps at once, the
+// part's last that asks one.
+const tests::Check& one_question_of(const tests::Check& failed) {
+  const auto& all = tests::checks();
+  const auto last = std::find_if(all.rbegin(), all.rend(), [](auto& c) { return !c.asks_once; });
+  return failed.asks_once ? *last : failed;
+}
+
+// Puts the simplest case in place of the one that is simplest among those that were asked.
+void find_smallest(Verdicts& verdicts, const std::map<std::string, AskedCheck>& all) {
+  if (!verdicts.with_numbers) return;
+  json& check = verdicts.checks[verdicts.place];
+  const tests::CheckAnswers& failed = all.at(check["id"]).asked;
+  tests::Case first = verdicts.with_numbers->simplest.value_or(verdicts.with_numbers->asked);
+  const tests::Check& asks = one_question_of(failed.check);
+  const auto found = smallest(new_session, asks, first, failed.cases);
+  tests::Failure shown = *verdicts.with_numbers;
+  shown.smallest = found;
+  check["smallest"] = json::parse(tests::facts(tests::failed_case(shown)))["smallest"];
 }
 
 json answers() {
@@ -236,6 +269,10 @@ json verdicts() {
   }
   if (!verdicts->kit_failure.empty()) throw std::runtime_error(verdicts->kit_failure);
 
+  const bool has_hidden = std::any_of(
+      tests::fixture_folders.begin(), tests::fixture_folders.end(),
+      [](const std::filesystem::path& folder) { return folder.filename() == "hidden"; });
+  if (is_asked("recognise") && has_hidden) find_smallest(*verdicts, all);
   json result = {{"checks", verdicts->checks},
                  {"largest_error", tests::largest_error()},
                  {"asked_given", first->has_asked_given()},

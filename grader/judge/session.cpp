@@ -84,11 +84,7 @@ std::optional<Termination> Session::take_end() { return std::exchange(end_, std:
 Frame Session::ask(const Frame& asked, Trajectory* columns) {
   Frame question = asked;
   if (!kit_failure_.empty()) throw tests::Ended{kit_failure_};
-  if (is_earlier(question.part)) {
-    const Frame reply = reply_to(question);
-    if (reply.kind == Kind::threw) throw std::runtime_error(frames::text(reply));
-    return reply;
-  }
+  if (is_earlier(question.part)) return right_answer(question);
   if (const char* why = why_not_asked()) {
     end_ = Termination{.status = "no_answer", .what = why, .of_no_case = true};
     throw tests::Ended{why};
@@ -111,6 +107,12 @@ Frame Session::ask(const Frame& asked, Trajectory* columns) {
         submission::threw(question.part, text == frames::kNoException ? "" : text));
   }
   return answer;
+}
+
+Frame Session::right_answer(const Frame& question) {
+  const Frame reply = reply_to(question);
+  if (reply.kind == Kind::threw) throw std::runtime_error(frames::text(reply));
+  return reply;
 }
 
 const char* Session::why_not_asked() const {

@@ -31,6 +31,8 @@ class Session : public submission::Asker {
   // the check can't go on, and std::runtime_error if this question has no answer.
   frames::Frame ask(const frames::Frame& question, Trajectory* columns) override;
 
+  frames::Frame right_answer(const frames::Frame& question) override;
+
   // Ends the program, which then can't measure what is done with its answers. Earlier parts can
   // still be asked, as the solution answers for them.
   void end() { runner_.reset(); }

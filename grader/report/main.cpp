@@ -9,6 +9,7 @@
 // Exit status 3 for what isn't such a record.
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "report.hpp"
@@ -42,6 +43,41 @@ std::vector<Value> values_from(const json& values) {
   return all;
 }
 
+// The units of what can be asked, by name.
+Value asked_value(const std::string& name, const json& x) {
+  static const std::map<std::string, std::string> units{
+      {"J", ""},      {"l", "m"},  {"m", "kg"},    {"mu", ""},      {"epsilon", ""},
+      {"g", "m/s^2"}, {"dt", "s"}, {"delta", "m"}, {"T", "columns"}};
+  const auto unit = units.find(name);
+  json rows = json::array();
+  for (const json& row : x.is_array() ? x : json{x})
+    rows.push_back(row.is_array() ? row : json{row});
+  const char* vector = name[0] == 'q' ? "m, m, rad" : "m/s, m/s, rad/s";
+  return {name, rows_from(rows), unit == units.end() ? vector : unit->second};
+}
+
+Question question_from(const json& asked) {
+  Question question;
+  for (const auto& [name, x] : asked.items())
+    if (name != "params") question.input.push_back(asked_value(name, x));
+  for (const auto& [name, x] : asked.at("params").items())
+    question.parameters.push_back(asked_value(name, x));
+  return question;
+}
+
+std::optional<Smallest> smallest_from(const json& facts) {
+  if (facts.is_null()) return {};
+  Smallest smallest;
+  if (!facts.at("before").is_null()) smallest.before = question_from(facts.at("before"));
+  smallest.asked = question_from(facts.at("input"));
+  smallest.expected = {facts.at("quantity"), rows_from(facts.at("expected")), facts.at("unit")};
+  smallest.got = rows_from(facts.at("got"));
+  for (const json& x : facts.at("on_the_way"))
+    smallest.on_the_way.push_back(
+        {{x.at("name"), rows_from(x.at("rows")), x.at("unit")}, x.at("equation")});
+  return smallest;
+}
+
 FailedCase failed_case_from(const json& facts, const json& answer) {
   FailedCase failed;
   facts.at("cases").get_to(failed.cases);
@@ -71,8 +107,10 @@ CheckFacts check_from(const json& check) {
       check.at("id"),   check.at("title"), check.at("status"), check.at("passed"), {}, {}, "",
       check.at("found")};
   if (const json& ended = check.at("ended"); !ended.is_null()) facts.ended = ending_from(ended);
-  if (const json& failure = check.at("failure"); !failure.is_null())
+  if (const json& failure = check.at("failure"); !failure.is_null()) {
     facts.failed = failed_case_from(failure, check.at("answer"));
+    facts.failed->smallest = smallest_from(check.at("smallest"));
+  }
   if (check.contains("place")) {
     const json& place = check.at("place");
     facts.place =
@@ -119,7 +157,8 @@ json shown(const json& check, bool reveal) {
 
 json told(const json& check, const SaidCheck& said, const json& mistakes, bool reveal) {
   json all = check;
-  for (const char* name : {"status", "ended", "failure", "answer", "found"}) all.erase(name);
+  for (const char* name : {"status", "ended", "failure", "answer", "smallest", "found"})
+    all.erase(name);
   all["message"] = said.message;
   all["mistake"] = said.mistake ? mistakes.at(*said.mistake) : json();
   all["hint"] = {{"heading", said.hint.heading}, {"nudge", said.hint.nudge}};
@@ -128,7 +167,21 @@ json told(const json& check, const SaidCheck& said, const json& mistakes, bool r
   return all;
 }
 
-json told(const json& part, bool reveal) {
+// The part with the smallest case of its first check that has one, and of no other.
+json with_one_smallest(json part) {
+  part["smallest"] = nullptr;
+  for (json& check : part.at("checks")) {
+    if (part["smallest"].is_null()) {
+      part["smallest"] = check.at("smallest");
+    } else {
+      check["smallest"] = nullptr;
+    }
+  }
+  return part;
+}
+
+json told(const json& given, bool reveal) {
+  const json part = with_one_smallest(given);
   const PartFacts facts = part_from(part);
   const SaidPart said = say(facts, reveal);
   json all = part;

@@ -155,7 +155,8 @@ std::string numbers(const FailedCase& failed, bool shown) {
 std::string lines(const FailedCase& failed, bool shown) {
   const std::string which = failed.ended_at > 0 ? "the last: " : "the first: ";
   return counts(failed) + (failed.again ? kAgain : "; ") + which + question(failed) + "\n" +
-         numbers(failed, shown || !failed.hidden);
+         numbers(failed, shown || !failed.hidden) +
+         (failed.smallest ? "\n  smallest " + on_paper(*failed.smallest) : "");
 }
 
 }  // namespace bounce::words

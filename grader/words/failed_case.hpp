@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,26 @@ struct Quantity {
   std::vector<std::vector<bool>> right;  // for each entry
 };
 
+// What is asked: q, v or J, and the parameters that aren't the assignment's.
+struct Question {
+  std::vector<Value> input, parameters;
+};
+
+// A number on the way to the right answer, and the equation that it comes from.
+struct OnTheWay {
+  Value value;
+  int equation = 0;
+};
+
+// The simplest case that is wrong, to be worked out on paper.
+struct Smallest {
+  std::optional<Question> before = {};  // asked first, where the program is right without it
+  Question asked = {};
+  Value expected = {};  // the quantity, and what is right
+  Rows got = {};
+  std::vector<OnTheWay> on_the_way = {};
+};
+
 // The first wrong case of a check, or the one at which its program ended.
 struct FailedCase {
   std::size_t cases = 0;     // of the check
@@ -36,6 +57,7 @@ struct FailedCase {
   std::string contact;            // what the corner does
   std::string sentence;           // what the numbers alone don't say
   std::vector<Quantity> quantities;
+  std::optional<Smallest> smallest = {};
 };
 
 // "2 of 9 cases wrong", or "ended at case 3 of 9".
@@ -49,6 +71,10 @@ std::string numbers(const FailedCase& failed, bool shown);
 
 // The name of the case, and below it what is asked.
 std::string question(const FailedCase& failed);
+
+// on_paper.cpp: a sentence, and below it, a line each, what leads to the answer:
+//   q = (0, 0.1 m, 30°), all else as in the assignment: phi = -0.0366025 m is right, yours is ...
+std::string on_paper(const Smallest& smallest);
 
 // What came in place of numbers, as a line below the question.
 std::string got(const std::string& sentence);

@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include "smallest.hpp"
+
 namespace bounce::tests {
 namespace {
 
@@ -17,6 +19,7 @@ Failure compare_all(Asker& asker, const CheckAnswers& asked, bool again, Reporte
   failure.again = again;
   std::size_t asked_cases = 0;
   bool ends = false;
+  std::pair<bool, Complexity> simplest;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (!outcomes[i]) continue;
     ++asked_cases;
@@ -43,50 +46,15 @@ Failure compare_all(Asker& asker, const CheckAnswers& asked, bool again, Reporte
     }
     ends = ends || got.ended;
     ++failure.wrong;
+    if (again || problem.differences.empty()) continue;
+    const auto rank = std::pair(c.hidden, complexity(c));
+    if (failure.simplest && simplest <= rank) continue;
+    simplest = rank;
+    failure.simplest = c;
+    if (!c.hidden) failure.smallest = smallest_of(asker, c, problem);
   }
   if (ends) failure.ended_at = asked_cases;
   return failure;
-}
-
-template <class Matrix>
-auto rows(const Matrix& m) {
-  std::vector<std::vector<typename Matrix::Scalar>> all;
-  for (Eigen::Index i = 0; i < m.rows(); ++i) {
-    all.emplace_back();
-    for (Eigen::Index j = 0; j < m.cols(); ++j) all.back().push_back(m(i, j));
-  }
-  return all;
-}
-
-std::vector<words::Value> input_of(const Case& c) {
-  std::vector<words::Value> all;
-  for (const std::string& name : c.input) {
-    const bool is_q = name[0] == 'q';
-    const char* unit = is_q ? kConfiguration : kVelocity;
-    if (name == "J") {
-      all.push_back({name, rows(c.J), "1, 1, m"});
-    } else {
-      all.push_back({name, rows(is_q ? c.q : c.v), unit});
-    }
-  }
-  return all;
-}
-
-std::vector<words::Value> values_of(const Parameters& p) {
-  const auto one = [](double x) { return words::Rows{{x}}; };
-  return {{"l", one(p.l), "m"},         {"m", one(p.m), "kg"},
-          {"mu", one(p.mu), ""},        {"epsilon", one(p.epsilon), ""},
-          {"g", rows(p.g), "m/s^2"},    {"dt", one(p.dt), "s"},
-          {"delta", one(p.delta), "m"}, {"T", one(p.T), p.T == 1 ? "column" : "columns"}};
-}
-
-// The parameters that differ from the assignment's, which a reader needs to know.
-std::vector<words::Value> others(const Parameters& params) {
-  std::vector<words::Value> all = values_of(params), usual = values_of({}), other;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].rows != usual[i].rows) other.push_back(all[i]);
-  }
-  return other;
 }
 
 class Test : public testing::Test {
@@ -121,10 +89,10 @@ CheckAnswers::CheckAnswers(const Check& asked_check)
     : check(asked_check), cases(cases_of(check.id())), first(cases.size()), again(cases.size()) {}
 
 words::FailedCase failed_case(const Failure& failure) {
-  const auto& [c, problem, cases, wrong, ended_at, again] = failure;
-  words::FailedCase failed{
-      cases,    wrong,    ended_at,         again, c.name, input_of(c), others(c.params),
-      c.hidden, c.corner, problem.sentence, {}};
+  const auto& [c, problem, cases, wrong, ended_at, again, simplest, smallest] = failure;
+  const auto [input, parameters] = question_of(c);
+  words::FailedCase failed{cases,    wrong,    ended_at,         again, c.name,  input, parameters,
+                           c.hidden, c.corner, problem.sentence, {},    smallest};
   for (const auto& [name, unit, expected, got] : problem.differences) {
     failed.quantities.push_back(
         {name, unit, rows(got), rows(expected), rows(agrees(c, expected, got))});

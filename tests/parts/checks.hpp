@@ -84,6 +84,9 @@ struct Failure {
   std::size_t wrong = 0;     // of these
   std::size_t ended_at = 0;  // how many were asked until the program ended, with the last; else 0
   bool again = false;        // it was right when it was asked before, in another order
+  // Of the cases with a wrong number the simplest, if there is one: public, if one is.
+  std::optional<Case> simplest = {};
+  std::optional<words::Smallest> smallest = {};  // the same, as facts, unless it is hidden
 };
 
 // The same, as reports say it (grader/words).

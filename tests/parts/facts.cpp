@@ -27,6 +27,36 @@ json values(const std::vector<words::Value>& values) {
   return all;
 }
 
+// {"q": [...], "v": [...], "J": [[...]], "params": {...}}
+json question(const words::Question& asked) {
+  json all, params = json::object();
+  const auto plain = [](const words::Value& x) {
+    const json m = rows(x.rows);
+    if (x.rows.size() == 1 && x.rows[0].size() == 1) return m[0][0];
+    json flat = json::array();
+    for (const json& row : m) flat.push_back(row.size() == 1 ? row[0] : row);
+    return flat;
+  };
+  for (const words::Value& x : asked.input) all[x.name] = plain(x);
+  for (const words::Value& x : asked.parameters) params[x.name] = plain(x);
+  all["params"] = params;
+  return all;
+}
+
+json smallest_facts(const words::Smallest& smallest) {
+  json on_the_way = json::array();
+  for (const auto& [x, equation] : smallest.on_the_way)
+    on_the_way.push_back(
+        {{"name", x.name}, {"rows", rows(x.rows)}, {"unit", x.unit}, {"equation", equation}});
+  return {{"before", smallest.before ? question(*smallest.before) : json()},
+          {"input", question(smallest.asked)},
+          {"quantity", smallest.expected.name},
+          {"unit", smallest.expected.unit},
+          {"expected", rows(smallest.expected.rows)},
+          {"got", rows(smallest.got)},
+          {"on_the_way", on_the_way}};
+}
+
 }  // namespace
 
 std::string facts(const words::FailedCase& failed) {
@@ -44,7 +74,9 @@ std::string facts(const words::FailedCase& failed) {
   const json answer = {{"contact", failed.contact}, {"expected", expected}};
   // A text may be that of a submission's exception, which may be invalid UTF-8.
   const auto replace = json::error_handler_t::replace;
-  return json{{"failure", failure}, {"answer", answer}}.dump(-1, ' ', false, replace);
+  const json smallest = failed.smallest ? smallest_facts(*failed.smallest) : json();
+  return json{{"failure", failure}, {"answer", answer}, {"smallest", smallest}}.dump(-1, ' ', false,
+                                                                                     replace);
 }
 
 }  // namespace bounce::tests

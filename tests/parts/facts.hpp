@@ -13,6 +13,12 @@
 // "answer" is what is right: {"contact", "expected"}, what the corner does, and a matrix for each
 // quantity. If the case is hidden, students must not see it.
 //
+// "smallest" is the simplest wrong case, for paper, or null:
+//   "before"     what is asked before it, where that matters, as "input"; else null
+//   "input"      {"q", "v" or "J", "params": those that aren't the assignment's}
+//   "quantity", "unit", "expected", "got"   the first wrong quantity, as matrices by rows
+//   "on_the_way" right, too: {"name", "rows", "unit", "equation"}
+//
 // A number that isn't finite is "nan", "inf" or "-inf".
 #pragma once
 
@@ -22,7 +28,7 @@
 
 namespace bounce::tests {
 
-// {"failure": ..., "answer": ...} as JSON in one line.
+// {"failure": ..., "answer": ..., "smallest": ...} as JSON in one line.
 std::string facts(const words::FailedCase& failed);
 
 }  // namespace bounce::tests

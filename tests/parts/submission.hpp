@@ -20,6 +20,10 @@ struct Asker {
   // has fewer, or none. Where part 4's checks ask for a step, the judge gives the right one.
   virtual frames::Frame ask(const frames::Frame& question, Trajectory* columns) = 0;
 
+  // The right answer to a question about an earlier part: the solution's, or a recorded one. Throws
+  // std::runtime_error where there is none.
+  virtual frames::Frame right_answer(const frames::Frame& question) = 0;
+
   // Whether, since this was last called, recorded answers that stand for the earlier parts didn't
   // hold what was asked: an answer then decides nothing.
   virtual bool was_undecided() { return false; }

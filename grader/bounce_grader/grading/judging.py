@@ -50,6 +50,7 @@ class Verdict(NamedTuple):
     stack: str = ""  # addresses, where it crashed
     failure: Facts | None = None  # the failed case; None if the check passed, or failed as a whole
     answer: Facts | None = None  # what is right there, which a reader gets only of public cases
+    smallest: Facts | None = None  # the simplest case with a wrong number, for paper
     place: Place | None = None  # of a crash in the submission, if known
     found: str = ""  # the sanitizers' name for what they found, where a crash didn't say why
 
@@ -88,7 +89,11 @@ def which_counts(part: Part, own: Judged | None, given: Judged | None) -> Judged
         return given
     if own.score(part) < part.points and given and given.status == "graded":
         # No wrong earlier part is in its numbers.
-        return own._replace(mistakes=given.mistakes, patterns=given.patterns)
+        verdicts = {
+            id: verdict._replace(smallest=given.verdicts[id].smallest)
+            for id, verdict in own.verdicts.items()
+        }
+        return own._replace(verdicts=verdicts, mistakes=given.mistakes, patterns=given.patterns)
     return own
 
 

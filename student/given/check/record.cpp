@@ -49,7 +49,7 @@ std::string ended_of(const Note& note) {
 
 std::string check_of(const Check& check, const Note& note) {
   const bool passed = note.status == "passed";
-  const std::string none = "{\"failure\": null, \"answer\": null}\n";
+  const std::string none = "{\"failure\": null, \"answer\": null, \"smallest\": null}\n";
   std::string facts = passed || note.facts.empty() ? none : note.facts;
   facts = facts.substr(1, facts.rfind('}') - 1);
   return "{\"id\": " + in_quotes(check.id) + ", \"title\": " + in_quotes(check.title) +

@@ -9,6 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import on_paper
 import pytest
 from bounce_grader.common.paths import STUBS
 from bounce_grader.formats import terminal
@@ -52,8 +53,21 @@ def test_gets_what_it_should(folder: Path, tmp_path: Path, monkeypatch: pytest.M
     record = grade(submission_of(folder, tmp_path / "submission"))
     gets(expected(folder), record)
     named = [name for part in record["parts"] for name in part["mistakes"]]
+    if folder.parent.name in ("mistakes", "rarely_wrong"):
+        can_be_found_on_paper(record)
     mistakes = [folder.name] if folder in MISTAKES else []
     assert named == [expected(folder).get("recognised_as", name) for name in mistakes]
+
+
+def can_be_found_on_paper(record: dict[str, Any]) -> None:
+    """Each part with wrong numbers: by a case with three numbers at most, beside which stands what
+    is right by the oracle."""
+    for part in filter(on_paper.lost_by_numbers, report(record)["parts"]):
+        smallest = part["smallest"]
+        assert smallest, part
+        assert on_paper.numbers_to_think_of(smallest) <= 3, smallest
+        assert on_paper.is_right(part["part"], smallest), smallest
+        assert smallest["got"] != smallest["expected"]
 
 
 REMARKED = [folder for folder in folders("undefined") if "remark" in expected(folder)]

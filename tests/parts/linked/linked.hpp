@@ -15,7 +15,9 @@ inline decltype(function) linked = nullptr;
 // Calls the functions that are linked in.
 struct Linked : submission::Asker {
   frames::Frame ask(const frames::Frame& question, Trajectory* columns) override;
-  bool was_undecided() override;  // given.cpp
+  // given.cpp
+  frames::Frame right_answer(const frames::Frame& question) override;
+  bool was_undecided() override;
 };
 
 // An earlier part's answer, of those that are recorded in given.json. Throws what isn't.
