@@ -226,9 +226,8 @@ void find_smallest(Verdicts& verdicts, const std::map<std::string, AskedCheck>& 
   if (!verdicts.with_numbers) return;
   json& check = verdicts.checks[verdicts.place];
   const tests::CheckAnswers& failed = all.at(check["id"]).asked;
-  tests::Case first = verdicts.with_numbers->simplest.value_or(verdicts.with_numbers->asked);
   const tests::Check& asks = one_question_of(failed.check);
-  const auto found = smallest(new_session, asks, first, failed.cases);
+  const auto found = smallest(new_session, asks, verdicts.with_numbers->asked, failed.cases);
   tests::Failure shown = *verdicts.with_numbers;
   shown.smallest = found;
   check["smallest"] = json::parse(tests::facts(tests::failed_case(shown)))["smallest"];

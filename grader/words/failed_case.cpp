@@ -153,10 +153,13 @@ std::string numbers(const FailedCase& failed, bool shown) {
 }
 
 std::string lines(const FailedCase& failed, bool shown) {
-  const std::string which = failed.ended_at > 0 ? "the last: " : "the first: ";
+  const bool is_simplest = !failed.quantities.empty();
+  const std::string which = failed.ended_at > 0 ? "the last: "
+                            : is_simplest       ? "the simplest: "
+                                                : "the first: ";
   return counts(failed) + (failed.again ? kAgain : "; ") + which + question(failed) + "\n" +
          numbers(failed, shown || !failed.hidden) +
-         (failed.smallest ? "\n  smallest " + on_paper(*failed.smallest) : "");
+         (failed.smallest ? on_paper(*failed.smallest, failed) : "");
 }
 
 }  // namespace bounce::words

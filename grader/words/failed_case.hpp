@@ -44,7 +44,7 @@ struct Smallest {
   std::vector<OnTheWay> on_the_way = {};
 };
 
-// The first wrong case of a check, or the one at which its program ended.
+// The wrong case of a check to report, or the one at which its program ended.
 struct FailedCase {
   std::size_t cases = 0;     // of the check
   std::size_t wrong = 0;     // of these
@@ -72,9 +72,13 @@ std::string numbers(const FailedCase& failed, bool shown);
 // The name of the case, and below it what is asked.
 std::string question(const FailedCase& failed);
 
-// on_paper.cpp: a sentence, and below it, a line each, what leads to the answer:
-//   q = (0, 0.1 m, 30°), all else as in the assignment: phi = -0.0366025 m is right, yours is ...
-std::string on_paper(const Smallest& smallest);
+// on_paper.cpp: the smallest case in a sentence, unless it is the failed case itself; and below it,
+// a line each, what leads to the answer:
+//   smallest q = (0, 0.1 m, 30°), all else as in the assignment: phi = -0.0366025 m is right, yours
+//   is
+//            0.0133975 m.
+//            r = (0.0366025 m, -0.136603 m)  (eq. 5)
+std::string on_paper(const Smallest& smallest, const FailedCase& failed);
 
 // What came in place of numbers, as a line below the question.
 std::string got(const std::string& sentence);

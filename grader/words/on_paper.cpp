@@ -92,9 +92,7 @@ Wrong to_show(const Smallest& smallest) {
   return {smallest.expected, smallest.got};
 }
 
-}  // namespace
-
-std::string on_paper(const Smallest& smallest) {
+std::string in_a_sentence(const Smallest& smallest) {
   const auto [right, got] = to_show(smallest);
   const auto said = [&](const Rows& rows, int digits) { return in_line(right, rows, digits); };
   const int digits = said(right.rows, kDigits) == said(got, kDigits) ? kMore - 1 : kDigits;
@@ -103,10 +101,23 @@ std::string on_paper(const Smallest& smallest) {
   if (smallest.before)
     text = "a call with " + input_of(*smallest.before) + ", then one with " + text +
            "; without the first call yours is right";
-  text += ".";
+  return text + ".";
+}
+
+bool are_same(const std::vector<Value>& some, const std::vector<Value>& others) {
+  return std::equal(some.begin(), some.end(), others.begin(), others.end(),
+                    [](const Value& a, const Value& b) { return a.rows == b.rows; });
+}
+
+}  // namespace
+
+std::string on_paper(const Smallest& smallest, const FailedCase& failed) {
+  const bool is_shown = !smallest.before && are_same(smallest.asked.input, failed.input) &&
+                        are_same(smallest.asked.parameters, failed.parameters);
+  std::string text = is_shown ? "" : "\n  smallest " + in_a_sentence(smallest);
   for (const auto& [value, equation] : smallest.on_the_way) {
-    text += "\n           " + value.name + " = " + in_line(value, value.rows, kDigits) + "  (eq. " +
-            std::to_string(equation) + ")";
+    text += (text.empty() ? "\n  on paper " : "\n           ") + value.name + " = " +
+            in_line(value, value.rows, kDigits) + "  (eq. " + std::to_string(equation) + ")";
   }
   return text;
 }

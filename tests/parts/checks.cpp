@@ -3,12 +3,29 @@
 #include <gtest/gtest.h>
 
 #include <exception>
+#include <tuple>
 #include <utility>
 
 #include "smallest.hpp"
 
 namespace bounce::tests {
 namespace {
+
+// What there is to say of an answer, as of one that an exception stands for. Empty if it is right.
+Problem problem_of(Asker& asker, const Check& check, const Case& c, const Outcome& got) {
+  if (!got.answer.has_value()) return {got.thrown, {}};
+  try {
+    return check.compare(asker, c, got.answer);
+  } catch (const std::exception& thrown) {
+    return {thrown.what(), {}};
+  }
+}
+
+// How early a wrong case is reported: by a hidden one only where no public one has a wrong number.
+auto rank_of(const Case& c, const Problem& problem) {
+  const bool has_numbers = !problem.differences.empty();
+  return std::tuple(!has_numbers, c.hidden, has_numbers ? complexity(c) : Complexity());
+}
 
 // Compares the answers to all cases, which were asked once or once more. An exception is a wrong
 // answer. The failure has no wrong case if all are right.
@@ -17,43 +34,34 @@ Failure compare_all(Asker& asker, const CheckAnswers& asked, bool again, Reporte
   Failure failure;
   failure.cases = asked.cases.size();
   failure.again = again;
-  std::size_t asked_cases = 0;
+  std::size_t asked_cases = 0, number = 0;
   bool ends = false;
-  std::pair<bool, Complexity> simplest;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (!outcomes[i]) continue;
     ++asked_cases;
     const Case& c = asked.cases[i];
     const Outcome& got = *outcomes[i];
-    Problem problem{got.thrown, {}};
-    if (got.answer.has_value()) {
-      try {
-        problem = asked.check.compare(asker, c, got.answer);
-      } catch (const std::exception& thrown) {
-        problem.sentence = thrown.what();
-      }
-    }
+    const Problem problem = problem_of(asker, asked.check, c, got);
     if (asker.was_undecided() || got.undecided) {
       reporter.finds_undecided();
       continue;
     }
     if (problem.empty()) continue;
-    const std::size_t number = again ? 2 * asked.cases.size() - 1 - i : i;
-    if (failure.wrong == 0) reporter.finds_first_wrong(c, problem, number);
-    if (failure.wrong == 0 || got.ended) {
-      failure.asked = c;
-      failure.problem = problem;
-    }
+    const bool is_first = failure.wrong++ == 0;
+    const bool is_simpler =
+        is_first || rank_of(c, problem) < rank_of(failure.asked, failure.problem);
     ends = ends || got.ended;
-    ++failure.wrong;
-    if (again || problem.differences.empty()) continue;
-    const auto rank = std::pair(c.hidden, complexity(c));
-    if (failure.simplest && simplest <= rank) continue;
-    simplest = rank;
-    failure.simplest = c;
-    if (!c.hidden) failure.smallest = smallest_of(asker, c, problem);
+    if (!got.ended && (ends || !is_simpler)) continue;
+    failure.asked = c;
+    failure.problem = problem;
+    number = again ? 2 * asked.cases.size() - 1 - i : i;
   }
+  if (failure.wrong == 0) return failure;
   if (ends) failure.ended_at = asked_cases;
+  const auto& [c, problem] = std::tie(failure.asked, failure.problem);
+  reporter.finds_wrong(c, problem, number);
+  if (!again && !c.hidden && !problem.differences.empty())
+    failure.smallest = smallest_of(asker, c, problem);
   return failure;
 }
 
@@ -89,7 +97,7 @@ CheckAnswers::CheckAnswers(const Check& asked_check)
     : check(asked_check), cases(cases_of(check.id())), first(cases.size()), again(cases.size()) {}
 
 words::FailedCase failed_case(const Failure& failure) {
-  const auto& [c, problem, cases, wrong, ended_at, again, simplest, smallest] = failure;
+  const auto& [c, problem, cases, wrong, ended_at, again, smallest] = failure;
   const auto [input, parameters] = question_of(c);
   words::FailedCase failed{cases,    wrong,    ended_at,         again, c.name,  input, parameters,
                            c.hidden, c.corner, problem.sentence, {},    smallest};

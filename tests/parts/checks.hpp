@@ -76,7 +76,8 @@ struct CheckAnswers {
   std::vector<std::optional<Outcome>> first, again;
 };
 
-// What a failed check reports: its first wrong case, or the one at which the program ended.
+// What a failed check reports: of the cases with a wrong number the simplest, a public one if there
+// is one; if none has one, the first wrong case; or the one at which the program ended.
 struct Failure {
   Case asked;
   Problem problem;
@@ -84,9 +85,8 @@ struct Failure {
   std::size_t wrong = 0;     // of these
   std::size_t ended_at = 0;  // how many were asked until the program ended, with the last; else 0
   bool again = false;        // it was right when it was asked before, in another order
-  // Of the cases with a wrong number the simplest, if there is one: public, if one is.
-  std::optional<Case> simplest = {};
-  std::optional<words::Smallest> smallest = {};  // the same, as facts, unless it is hidden
+  std::optional<words::Smallest> smallest =
+      {};  // of `asked`, if a number is wrong and it is public
 };
 
 // The same, as reports say it (grader/words).
@@ -99,8 +99,8 @@ struct Reporter {
   virtual ~Reporter() = default;
   // Before each case: what the check would report if the program ended now.
   virtual void asks(const Failure&) {}
-  // The number of the wrong case, in the order of the calls of `asks`.
-  virtual void finds_first_wrong(const Case&, const Problem&, std::size_t) {}
+  // The wrong case to report, and its number in the order of the calls of `asks`.
+  virtual void finds_wrong(const Case&, const Problem&, std::size_t) {}
   virtual void finds_undecided() {}
   // Returns what GoogleTest shows to whoever runs the tests by hand.
   virtual std::string fails(const Failure& failure) = 0;

@@ -1,6 +1,6 @@
 // A failed check as facts, which the judge prints, and a student's own build writes for ./check.
 //
-// "failure" is the first wrong case, or the one at which the program ended:
+// "failure" is the wrong case to report, or the one at which the program ended:
 //   "cases", "wrong"   how many the check has, and how many are wrong
 //   "ended_at"   how many cases were asked until the program ended, 0 if it didn't
 //   "again"      whether all were right when they were asked before, in another order

@@ -50,9 +50,9 @@ class Verdict(NamedTuple):
     stack: str = ""  # addresses, where it crashed
     failure: Facts | None = None  # the failed case; None if the check passed, or failed as a whole
     answer: Facts | None = None  # what is right there, which a reader gets only of public cases
-    smallest: Facts | None = None  # the simplest case with a wrong number, for paper
     place: Place | None = None  # of a crash in the submission, if known
     found: str = ""  # the sanitizers' name for what they found, where a crash didn't say why
+    smallest: Facts | None = None  # the simplest case with a wrong number, for paper
 
 
 class Judged(NamedTuple):

@@ -11,7 +11,7 @@
 // check that takes too long ends the program. With --mistake no test runs: it writes to FILE the
 // heading of the hint for the check, in the hints of STEM, and what the answers to all public cases
 // tell of the mistake; and to FILE.json the same as facts (recognise.hpp). With --debug it stops in
-// the debugger at the first wrong case, then asks it once more.
+// the debugger at the simplest wrong case, then asks it once more.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -45,10 +45,10 @@ struct ByHand : Reporter {
   std::string fails(const Failure& failure) override { return in_words(failure); }
 };
 
-// Stops at the first wrong case: set a breakpoint in the part, and continue. The case is asked
+// Stops at the simplest wrong case: set a breakpoint in the part, and continue. The case is asked
 // again.
 struct Debugged : ByHand {
-  void finds_first_wrong(const Case& c, const Problem& problem, std::size_t) override {
+  void finds_wrong(const Case& c, const Problem& problem, std::size_t) override {
     const words::FailedCase failed = failed_case({c, problem});
     std::cout << words::question(failed) << "\n" << words::numbers(failed, true) << std::endl;
 #ifdef _WIN32
@@ -84,7 +84,7 @@ class Notes : public testing::EmptyTestEventListener, public Reporter {
     note_facts(if_it_ends);
   }
 
-  void finds_first_wrong(const Case&, const Problem&, std::size_t number) override {
+  void finds_wrong(const Case&, const Problem&, std::size_t number) override {
     from_.push_back(bytes_printed());
     from_to_ = from_[number + 1] + from_[number + 2];
   }
