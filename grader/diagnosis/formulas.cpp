@@ -88,6 +88,21 @@ std::string sum_of(const Words& terms) {
   return sum.empty() ? "0" : sum;
 }
 
+// "the other sign in (0, 1) and (1, 0)", of factors by rows; empty if all are 1.
+std::string entries_of(const Words& factors) {
+  Words said;
+  for (const auto& [factor, words] :
+       {std::pair("-1", "the other sign in "), std::pair("0", "0 in ")}) {
+    Words entries;
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+      if (factors[k] != factor) continue;
+      entries.push_back("(" + std::to_string(k / 3) + ", " + std::to_string(k % 3) + ")");
+    }
+    if (!entries.empty()) said.push_back(words + joined(entries));
+  }
+  return joined(said, ", and ");
+}
+
 // What the row says of a choice, with what fits for {each}.
 std::string words_of(const Row& row, const std::string& choice, const Words& each) {
   const std::string factors = joined(each, ", ");
@@ -97,7 +112,7 @@ std::string words_of(const Row& row, const std::string& choice, const Words& eac
   }
   if (row.count("pieces") == 0) return replaced(choice, "{each}", factors);
   const bool all_are_1 = std::count(each.begin(), each.end(), "1") == std::ptrdiff_t(each.size());
-  Words pieces = split(choice);
+  Words pieces = split(replaced(choice, "{entries}", entries_of(each)));
   std::erase_if(pieces, [&](const std::string& piece) {
     return piece.empty() || (all_are_1 && piece.find("{each}") != piece.npos);
   });

@@ -19,7 +19,7 @@ using fixtures::mode_of_step;
 using tests::Case;
 using tests::Check;
 using tests::complexity;
-using tests::Number;
+using tests::Entry;
 using tests::Problem;
 
 constexpr int kMostQuestions = 200, kMostStarts = 50;
@@ -77,7 +77,7 @@ double rounded(double x, int digits) {
 }
 
 // Simpler values of a number, the simplest first.
-std::vector<double> simpler(const Number& number) {
+std::vector<double> simpler(const Entry& number) {
   const double unit = number.is_angle ? kDegree : 1, x = *number.value / unit;
   std::vector<double> all{number.usual};
   if (number.is_angle) {
@@ -102,7 +102,7 @@ std::ptrdiff_t distance(Case a, Case b) {
   const auto of_a = tests::numbers_in(a), of_b = tests::numbers_in(b);
   return std::inner_product(of_a.begin(), of_a.end(), of_b.begin(), std::ptrdiff_t{0},
                             std::plus<>(),
-                            [](const Number& x, const Number& y) { return *x.value != *y.value; });
+                            [](const Entry& x, const Entry& y) { return *x.value != *y.value; });
 }
 
 // The case with each number that it shares with `before` as it is `after`.
@@ -162,7 +162,7 @@ class Search {
         changed = std::any_of(values.begin(), values.end(),
                               [&](double value) {
                                 if (take(with(c, i, value))) return true;
-                                const Number number = tests::numbers_in(c)[i];
+                                const Entry number = tests::numbers_in(c)[i];
                                 const bool changes_height = number.is_angle ||
                                                             number.value == &c.params.l ||
                                                             number.value == &c.params.delta;

@@ -16,13 +16,6 @@ const std::string kAgain =
     " when run again in a different order, though correct the first time (is something kept from "
     "one call to the next?); ";
 
-std::string number(double x, int digits) {
-  if (std::isnan(x)) return "nan";  // without its sign
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, std::abs(x) < kNothing ? 0.0 : x);
-  return text;
-}
-
 std::size_t size(const Rows& rows) { return rows.empty() ? 0 : rows.size() * rows[0].size(); }
 
 // Makes lines equally long.
@@ -120,6 +113,13 @@ std::string in_words(const std::vector<Value>& parameters) {
 }
 
 }  // namespace
+
+std::string number(double x, int digits) {
+  if (std::isnan(x)) return "nan";  // without its sign
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, std::abs(x) < kNothing ? 0.0 : x);
+  return text;
+}
 
 std::string question(const FailedCase& failed) {
   const std::string label = "\n  input    ", blanks(label.size() - 1, ' ');

@@ -60,6 +60,9 @@ struct FailedCase {
   std::optional<Smallest> smallest = {};
 };
 
+// To so many digits; what is only a rounding error of 0 as 0.
+std::string number(double x, int digits);
+
 // "2 of 9 cases wrong", or "ended at case 3 of 9".
 std::string counts(const FailedCase& failed);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace bounce::words {
 namespace {
@@ -10,14 +9,7 @@ namespace {
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr int kDigits = 6, kMore = 12;
 
-constexpr double kNothing = 1e-14;  // numbers below this are rounding errors of 0
 constexpr double kTolerance = 1e-9;
-
-std::string number(double x, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, std::abs(x) < kNothing ? 0.0 : x);
-  return std::isnan(x) ? "nan" : text;
-}
 
 bool is_round(double x, int digits) {
   return std::abs(std::stod(number(x, digits)) - x) <= 1e-13 * std::abs(x);

@@ -116,9 +116,9 @@ std::vector<words::OnTheWay> on_the_way(Asker& asker, const Case& c, const std::
 
 }  // namespace
 
-std::vector<Number> numbers_in(Case& c) {
+std::vector<Entry> numbers_in(Case& c) {
   Parameters& p = c.params;
-  std::vector<Number> all;
+  std::vector<Entry> all;
   const Parameters usual;
   for (double Parameters::*x : {&Parameters::l, &Parameters::m, &Parameters::mu,
                                 &Parameters::epsilon, &Parameters::dt, &Parameters::delta})
@@ -136,14 +136,14 @@ std::vector<Number> numbers_in(Case& c) {
   return all;
 }
 
-int digits_of(const Number& number) {
+int digits_of(const Entry& number) {
   const int digits = digits_of(*number.value);
   return number.is_angle ? std::min(digits, digits_of(*number.value / kDegree)) : digits;
 }
 
 Complexity complexity(Case c) {
   Complexity all{0, part_of(c) == 4 ? c.params.T : 0, 0};
-  for (const Number& number : numbers_in(c)) {
+  for (const Entry& number : numbers_in(c)) {
     if (*number.value == number.usual) continue;
     ++all[0];
     all[2] += digits_of(number);

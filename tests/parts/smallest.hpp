@@ -9,17 +9,17 @@
 namespace bounce::tests {
 
 // A number of a case, and what it is in the simplest case: the assignment's, or 0.
-struct Number {
+struct Entry {
   double* value;
   double usual;
   bool is_angle = false;
 };
 
 // The numbers of the parameters, T apart, and of what is asked.
-std::vector<Number> numbers_in(Case& c);
+std::vector<Entry> numbers_in(Case& c);
 
 // How many digits it takes to write a number; an angle may be written in degrees.
-int digits_of(const Number& number);
+int digits_of(const Entry& number);
 
 // How many numbers aren't the simplest; T, of a trajectory; all digits. The less, the simpler.
 using Complexity = std::vector<int>;
