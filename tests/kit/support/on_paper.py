@@ -6,11 +6,11 @@ from typing import Any
 
 import oracle
 
-USUAL = {
+USUAL: dict[str, Any] = {
     "l": 0.2, "m": 0.3, "mu": 0.3, "epsilon": 0.5,
     "g": [0, -9.81, 0], "dt": 0.01, "delta": 0.001, "T": 150,
 }  # fmt: skip
-J_IN_THE_SIMPLEST_CASE = [[1, 0], [0, 1], [0, 0]]
+J_IN_THE_SIMPLEST_CASE: Any = [[1, 0], [0, 1], [0, 0]]
 
 
 def lost_by_numbers(part: dict[str, Any]) -> bool:
