@@ -9,6 +9,7 @@ import golden
 import pytest
 from bounce_grader.grading import judging
 from bounce_grader.grading.grade import grade, Options
+from bounce_grader.grading.known_mistakes import expected
 from bounce_grader.grading.report import report
 from handed_in import submission_of
 from handed_out import check, put, SUBMISSIONS
@@ -20,7 +21,8 @@ ALL = [
     str(folder.relative_to(SUBMISSIONS))
     for kind in ("accepted", "mistakes", "broken", "rarely_wrong", "undefined")
     for folder in sorted((SUBMISSIONS / kind).iterdir())
-    if [*folder.glob("part*.cpp")]
+    # ./check runs nothing where one of the four files is missing.
+    if [*folder.glob("part*.cpp")] and not expected(folder).get("alone")
 ]
 SOON = {
     "mistakes/part1_highest_corner",
