@@ -34,6 +34,7 @@ Failure compare_all(Asker& asker, const CheckAnswers& asked, bool again, Reporte
       reporter.finds_undecided();
       continue;
     }
+    if (problem.is_open) reporter.finds_open();
     if (problem.empty()) continue;
     const std::size_t number = again ? 2 * asked.cases.size() - 1 - i : i;
     if (failure.wrong == 0) reporter.finds_first_wrong(c, problem, number);

@@ -99,6 +99,7 @@ struct Reporter {
   // The number of the wrong case, in the order of the calls of `asks`.
   virtual void finds_first_wrong(const Case&, const Problem&, std::size_t) {}
   virtual void finds_undecided() {}
+  virtual void finds_open() {}  // Problem::is_open
   // Returns what GoogleTest shows to whoever runs the tests by hand.
   virtual std::string fails(const Failure& failure) = 0;
 };

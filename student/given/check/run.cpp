@@ -51,14 +51,20 @@ bool is_an_earlier_wrong(Run& run, const Part& part) {
 void run_with_given(Run& run, Part& part) {
   Part given = part;
   given.result = run_checks(run, part, given_target_of(part));
-  const bool waits = given.undecided() > 0 && is_an_earlier_wrong(run, part);
-  // What is undecided is as it was with the student's own parts, if it passed or if those are
-  // right.
+  const bool is_left = given.undecided() + given.worth(kOpen) > 0;
+  const bool waits = is_left && is_an_earlier_wrong(run, part);
+  // What is left undecided or open is as it was with the student's own parts, if it passed or if
+  // those are right. What else is open has passed.
   for (const Check& check : part.checks) {
+    Note& note = given.result.notes[check.id];
+    if (note.status != kUndecided && note.status != kOpen) continue;
     const Note own = part.result.note(check);
-    if (given.result.note(check).status != kUndecided) continue;
-    if (own.status == "passed" || (own.status != "unknown" && !waits))
-      given.result.notes[check.id] = {own.status, own.text};
+    if (own.status == "passed" || (own.status != "unknown" && !waits)) {
+      note = own;
+      note.to.reset();  // it was printed elsewhere
+    } else if (note.status == kOpen) {
+      note.status = "passed";
+    }
   }
   const bool decides_more = waits && given.undecided() > 0;
   const int gain = given.worth() - part.worth();
