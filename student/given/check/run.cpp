@@ -169,6 +169,10 @@ Result run_checks(const Run& run, const Part& part, const std::string& target) {
       note.ended = ending_of(*ended, printed, cause);
     }
   }
+  for (const Check& check : part.checks) {
+    if (hung == kMostHung && result.notes.count(check.id) == 0)
+      result.notes[check.id].ended = words::Ending{kNotAsked};
+  }
   return result;
 }
 

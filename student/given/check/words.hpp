@@ -25,6 +25,8 @@ int line_of(const std::string& line);
 
 struct BuildError {
   std::string text;           // indented
+  std::string sentence{};     // the same in one line, without the lines that the compiler quotes
+  std::string place{};        // "src/part3_step.cpp:12:3", if known
   bool is_of_linker = false;  // all files compiled, and a function is missing, or there twice
 };
 
