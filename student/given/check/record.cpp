@@ -38,7 +38,7 @@ std::string place_of(const std::string& place) {
 std::string status_of(const Note& note) {
   if (!note.ended) return "graded";
   const std::string& what = note.ended->what;
-  if (what == "worked") return "timed_out";
+  if (what == "worked" || what == "waited") return "timed_out";
   const bool has_ended = what == "exited" || what == "printed" || what == kNotAsked;
   return has_ended ? "no_answer" : "crashed";
 }

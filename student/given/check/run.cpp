@@ -148,7 +148,7 @@ Result run_checks(const Run& run, const Part& part, const std::string& target) {
       Note& note = result.notes[check.id] = read_note(notes / check.id);
       const bool hangs = note.status == "hung";
       if (note.status != "running" && !hangs) continue;
-      const int end = hangs ? kTooLong : *ended;
+      const int end = hangs && *ended != kWaited ? kTooLong : *ended;
       const std::string at = place.empty() ? "" : ", at " + place;
       note.status = hangs ? "hung" : "crashed";
       note.text += "\n" + words::got(reason_of(end, printed, cause) + at);

@@ -172,6 +172,7 @@ std::string cause_in(const fs::path& stack) {
 words::Ending ending_of(int ended, const std::string& printed, const std::string& cause) {
   if (ended == -SIGXCPU) return {"worked", kSecondsOfWork};
   if (ended == kTooLong) return {"worked", kSecondsOfAnAnswer};
+  if (ended == kWaited) return {"waited"};
   if (ended == -SIGXFSZ) return {"printed", kLargestFile / 1'000'000};
   if (ended >= 0) return {"exited", ended};
   if (ended != -SIGABRT) return {"signal", -ended, cause};
