@@ -40,6 +40,7 @@ struct Difference {
 struct Problem {
   std::string sentence;  // what the numbers alone don't say
   std::vector<Difference> differences;
+  bool is_open = false;  // right as far as recorded answers held what was asked
   bool empty() const { return sentence.empty() && differences.empty(); }
 };
 

@@ -46,6 +46,7 @@ Failure compare_all(Asker& asker, const CheckAnswers& asked, bool again, Reporte
       reporter.finds_undecided();
       continue;
     }
+    if (problem.is_open) reporter.finds_open();
     if (problem.empty()) continue;
     const bool is_first = failure.wrong++ == 0;
     const bool is_simpler =

@@ -102,6 +102,7 @@ struct Reporter {
   // The wrong case to report, and its number in the order of the calls of `asks`.
   virtual void finds_wrong(const Case&, const Problem&, std::size_t) {}
   virtual void finds_undecided() {}
+  virtual void finds_open() {}  // Problem::is_open
   // Returns what GoogleTest shows to whoever runs the tests by hand.
   virtual std::string fails(const Failure& failure) = 0;
 };

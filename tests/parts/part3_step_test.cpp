@@ -67,15 +67,16 @@ bool differs(const Case& c, const std::optional<State>& in, const std::optional<
 }
 
 Problem compare_chain(const Case& c, const Chain& chain) {
+  Problem problem;
+  problem.is_open = !chain.is_decided;
   for (std::size_t t = 0; t < kSteps && chain.is_decided; ++t) {
-    if (differs(c, chain.in_the_chain[t], chain.alone[t])) {
-      return {"step " + std::to_string(t + 1) +
-                  " of a run is different when it is computed on its own: does your program keep "
-                  "something from one call to the next?",
-              {}};
-    }
+    if (!differs(c, chain.in_the_chain[t], chain.alone[t])) continue;
+    problem.sentence = "step " + std::to_string(t + 1) +
+                       " of a run is different when it is computed on its own: does your program "
+                       "keep something from one call to the next?";
+    break;
   }
-  return {};
+  return problem;
 }
 
 // Judged with the velocity that was returned, so that a wrong velocity costs no more points.

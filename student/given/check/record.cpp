@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
 #include "files.hpp"
 #include "process.hpp"
@@ -24,20 +24,23 @@ std::string in_quotes(const std::string& text) {
 
 std::string number(int x) { return std::to_string(x); }
 
-// "file:12" as a place in what is handed in; "" is none.
+// "file:12" or "file:12:3" as a place in what is handed in; "" is none.
 std::string place_of(const std::string& place) {
   const std::string file = file_of(place);
   if (file.empty()) return "";
+  const std::size_t colon = place.find(':', file.size() + 1);
+  const int column = colon == std::string::npos ? 0 : std::atoi(place.c_str() + colon + 1);
   return ", \"place\": {\"file\": " + in_quotes(file) + ", \"line\": " + number(line_of(place)) +
-         ", \"column\": 0}";
+         ", \"column\": " + number(column) + "}";
 }
 
 // A check's status as the score record names it.
 std::string status_of(const Note& note) {
   if (!note.ended) return "graded";
   const std::string& what = note.ended->what;
-  if (what == "worked") return "timed_out";
-  return what == "exited" || what == "printed" ? "no_answer" : "crashed";
+  if (what == "worked" || what == "waited") return "timed_out";
+  const bool has_ended = what == "exited" || what == "printed" || what == kNotAsked;
+  return has_ended ? "no_answer" : "crashed";
 }
 
 std::string ended_of(const Note& note) {
@@ -50,7 +53,8 @@ std::string ended_of(const Note& note) {
 std::string check_of(const Check& check, const Note& note) {
   const bool passed = note.status == "passed";
   const std::string none = "{\"failure\": null, \"answer\": null, \"smallest\": null}\n";
-  std::string facts = passed || note.facts.empty() ? none : note.facts;
+  const bool is_of_a_case = !passed && note.status != kUndecided && !note.facts.empty();
+  std::string facts = is_of_a_case ? note.facts : none;
   facts = facts.substr(1, facts.rfind('}') - 1);
   return "{\"id\": " + in_quotes(check.id) + ", \"title\": " + in_quotes(check.title) +
          ", \"score\": " + number(passed ? check.points : 0) +
@@ -62,11 +66,7 @@ std::string check_of(const Check& check, const Note& note) {
 
 std::string why(const Part& part) {
   if (!part.broken) return "null";
-  std::istringstream lines(part.broken->error.text);
-  std::string first;
-  std::getline(lines, first);
-  return "{\"id\": \"not_built\", \"words\": [" +
-         in_quotes(first.substr(first.find_first_not_of(' '))) + "]}";
+  return "{\"id\": \"not_built\", \"words\": [" + in_quotes(part.broken->error.sentence) + "]}";
 }
 
 std::string notes_of(const Part& part) {
@@ -88,7 +88,8 @@ std::string mistakes_of(const Run& run, const Part& part) {
 
 std::string part_of(const Run& run, const Part& part) {
   std::string checks, status = part.broken ? "does_not_compile" : "graded";
-  std::string place = part.broken ? "" : part.file() + ":0";
+  std::string place = part.broken ? part.broken->error.place : "";
+  if (place.empty()) place = (part.broken ? part.broken : &part)->file() + ":0";
   for (const Check& check : part.checks) {
     const Note note = part.broken ? Note{} : part.result.note(check);
     if (note.ended && status == "graded") {

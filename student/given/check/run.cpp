@@ -51,14 +51,20 @@ bool is_an_earlier_wrong(Run& run, const Part& part) {
 void run_with_given(Run& run, Part& part) {
   Part given = part;
   given.result = run_checks(run, part, given_target_of(part));
-  const bool waits = given.undecided() > 0 && is_an_earlier_wrong(run, part);
-  // What is undecided is as it was with the student's own parts, if it passed or if those are
-  // right.
+  const bool is_left = given.undecided() + given.worth(kOpen) > 0;
+  const bool waits = is_left && is_an_earlier_wrong(run, part);
+  // What is left undecided or open is as it was with the student's own parts, if it passed or if
+  // those are right. What else is open has passed.
   for (const Check& check : part.checks) {
+    Note& note = given.result.notes[check.id];
+    if (note.status != kUndecided && note.status != kOpen) continue;
     const Note own = part.result.note(check);
-    if (given.result.note(check).status != kUndecided) continue;
-    if (own.status == "passed" || (own.status != "unknown" && !waits))
-      given.result.notes[check.id] = {own.status, own.text};
+    if (own.status == "passed" || (own.status != "unknown" && !waits)) {
+      note = own;
+      note.to.reset();  // it was printed elsewhere
+    } else if (note.status == kOpen) {
+      note.status = "passed";
+    }
   }
   const bool decides_more = waits && given.undecided() > 0;
   const int gain = given.worth() - part.worth();
@@ -142,7 +148,7 @@ Result run_checks(const Run& run, const Part& part, const std::string& target) {
       Note& note = result.notes[check.id] = read_note(notes / check.id);
       const bool hangs = note.status == "hung";
       if (note.status != "running" && !hangs) continue;
-      const int end = hangs ? kTooLong : *ended;
+      const int end = hangs && *ended != kWaited ? kTooLong : *ended;
       const std::string at = place.empty() ? "" : ", at " + place;
       note.status = hangs ? "hung" : "crashed";
       note.text += "\n" + words::got(reason_of(end, printed, cause) + at);
@@ -162,6 +168,10 @@ Result run_checks(const Run& run, const Part& part, const std::string& target) {
                   "constructors do.\n";
       note.ended = ending_of(*ended, printed, cause);
     }
+  }
+  for (const Check& check : part.checks) {
+    if (hung == kMostHung && result.notes.count(check.id) == 0)
+      result.notes[check.id].ended = words::Ending{kNotAsked};
   }
   return result;
 }

@@ -20,6 +20,10 @@ struct Check {
 // The status of a check that can't be decided before the earlier parts are right: the recorded
 // answers that stand for theirs were asked something else.
 inline constexpr const char* kUndecided = "undecided";
+// Of one that passed as far as these answers decide it.
+inline constexpr const char* kOpen = "open";
+// How one ended that wasn't run any more (given/words/endings.txt).
+inline constexpr const char* kNotAsked = "not asked as it hung";
 
 // What is known of a check.
 struct Note {

@@ -103,7 +103,9 @@ BuildError first_error(const std::vector<std::string>& lines) {
     if (missing.empty()) missing = missing_function(line);
   }
   if (error.empty() && missing.empty()) {
-    return {"  the build failed; what it says is in " + (kWork / "build.txt").generic_string()};
+    const std::string where = (kWork / "build.txt").generic_string();
+    const std::string failed = "the build failed; what it says is in " + where;
+    return {"  " + failed, failed};
   }
   std::string text = missing;
   if (!error.empty()) {
@@ -112,9 +114,13 @@ BuildError first_error(const std::vector<std::string>& lines) {
                           : own) +
            ": " + error.substr(error.find("error: ") + 7);
   }
-  text = "  " + text.substr(0, kLongest) + (is_own(error) ? rest : "");
+  text = text.substr(0, kLongest);
   const std::string meaning = words::meaning_in(kErrors, error.empty() ? missing : error);
-  return {text + (meaning.empty() ? "" : "\n" + folded(meaning, 74, "  "))};
+  const bool is_clear = meaning.empty();
+  return {"  " + text + (is_own(error) ? rest : "") +
+              (is_clear ? "" : "\n" + folded(meaning, 74, "  ")),
+          text + (is_clear ? "" : ". " + meaning),
+          is_own(error) ? error.substr(0, error.find(": ")) : own};
 }
 
 std::string found_by_sanitizers(const std::string& printed) {
@@ -166,6 +172,7 @@ std::string cause_in(const fs::path& stack) {
 words::Ending ending_of(int ended, const std::string& printed, const std::string& cause) {
   if (ended == -SIGXCPU) return {"worked", kSecondsOfWork};
   if (ended == kTooLong) return {"worked", kSecondsOfAnAnswer};
+  if (ended == kWaited) return {"waited"};
   if (ended == -SIGXFSZ) return {"printed", kLargestFile / 1'000'000};
   if (ended >= 0) return {"exited", ended};
   if (ended != -SIGABRT) return {"signal", -ended, cause};

@@ -25,6 +25,8 @@ int line_of(const std::string& line);
 
 struct BuildError {
   std::string text;           // indented
+  std::string sentence{};     // the same in one line, without the lines that the compiler quotes
+  std::string place{};        // "src/part3_step.cpp:12:3", if known
   bool is_of_linker = false;  // all files compiled, and a function is missing, or there twice
 };
 
@@ -35,7 +37,8 @@ BuildError first_error(const std::vector<std::string>& lines);
 
 // ---- how a program ends ----
 
-inline constexpr int kTooLong = 124;  // its exit code where an answer takes too long
+// Its exit code where an answer takes too long, and where it waits for a minute.
+inline constexpr int kTooLong = 124, kWaited = 125;
 
 // "src/part3_step.cpp:12: it uses a variable that is gone"; empty if sanitizers found nothing.
 std::string found_by_sanitizers(const std::string& printed);

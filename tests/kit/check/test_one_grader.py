@@ -11,6 +11,7 @@ import golden
 import pytest
 from bounce_grader.grading import judging
 from bounce_grader.grading.grade import grade, Options
+from bounce_grader.grading.known_mistakes import expected
 from bounce_grader.grading.report import report
 from handed_in import submission_of
 from handed_out import check, put, SUBMISSIONS
@@ -22,9 +23,11 @@ ALL = [
     str(folder.relative_to(SUBMISSIONS))
     for kind in ("accepted", "mistakes", "broken", "rarely_wrong", "undefined")
     for folder in sorted((SUBMISSIONS / kind).iterdir())
-    if [*folder.glob("part*.cpp")]
+    # ./check runs nothing where one of the four files is missing.
+    if [*folder.glob("part*.cpp")] and not expected(folder).get("alone")
 ]
 SOON = {
+    "accepted/helper_that_calls_the_earlier_parts",
     "mistakes/part1_highest_corner",
     "mistakes/part2_friction_directions_swapped",
     "mistakes/part3_moves_with_the_old_velocity",
@@ -32,6 +35,8 @@ SOON = {
     "broken/part1_not_a_number",
     "broken/part3_throws_not_done_yet",
     "broken/part2_aborts",
+    "broken/part3_empty_file",
+    "rarely_wrong/part3_two_step_scheme",
 }
 NAMES = [pytest.param(name, marks=[] if name in SOON else pytest.mark.long) for name in ALL]
 

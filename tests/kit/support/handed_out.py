@@ -35,12 +35,13 @@ def check(home: Path, *words: str, **environment: str) -> Done:
 
 def put(home: Path, *laid: str, edits: Edits = {}, files: Mapping[str, str] = {}) -> None:
     """Fills src/ with the solution's parts, over which are laid those of a folder of
-    tests/submissions, or "stub 1". What is there already isn't built again."""
-    texts = {file.name: file.read_bytes() for file in SOLUTION.glob("*.cpp")}
+    tests/submissions with their helpers, or "stub 1". What is there already isn't built again."""
+    texts = _texts(SOLUTION, "*.cpp")
     for name in laid:
-        stubs = ROOT.glob(f"student/src/part{name[-1]}_*.cpp")
-        found = stubs if name[:4] == "stub" else (SUBMISSIONS / name).glob("part*.cpp")
-        texts |= {file.name: file.read_bytes() for file in found}
+        if name[:4] == "stub":
+            texts |= _texts(ROOT / "student/src", f"part{name[-1]}_*.cpp")
+        else:
+            texts |= _texts(SUBMISSIONS / name, "**/[!.]*.[ch]*")
     for stem, changes in edits.items():
         text = texts[f"{stem}.cpp"].decode()
         for old, new in changes:
@@ -48,11 +49,16 @@ def put(home: Path, *laid: str, edits: Edits = {}, files: Mapping[str, str] = {}
             text = text.replace(old, new, 1)
         texts[f"{stem}.cpp"] = text.encode()
     texts |= {name: text.encode() for name, text in files.items()}
-    for file in (home / "src").iterdir():
-        if file.name not in texts:
-            file.unlink()
+    for name in _texts(home / "src", "**/*").keys() - texts.keys():
+        (home / "src" / name).unlink()
     for name, data in texts.items():
         there = home / "src" / name
         if not there.exists() or there.read_bytes() != data:
             (home / "new").write_bytes(data)
+            there.parent.mkdir(exist_ok=True)
             (home / "new").rename(there)  # at once: a watch sees one change
+
+
+def _texts(folder: Path, pattern: str) -> dict[str, bytes]:
+    """By their paths in the folder."""
+    return {str(f.relative_to(folder)): f.read_bytes() for f in folder.glob(pattern) if f.is_file()}

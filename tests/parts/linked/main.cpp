@@ -3,15 +3,16 @@
 //   part1_contacts_test [--notes FOLDER PRINTED [STACK] | --mistake FILE STEM CHECK | --debug]
 //
 // With --notes, it writes a file for each check, named after the check: "running" while it runs,
-// then "passed" or "failed" and the feedback, or "undecided" if no case is wrong, but the given
-// earlier parts were asked what isn't recorded. After this word come the sizes of PRINTED, the file
-// of standard output, before and after the reported case; and what there is to report also stands
-// as facts in a file beside it (facts.hpp). A check that already has its file isn't run again, so
-// that after a crash a second run continues with the next one; STACK then tells where it came. A
-// check that takes too long ends the program. With --mistake no test runs: it writes to FILE the
-// heading of the hint for the check, in the hints of STEM, and what the answers to all public cases
-// tell of the mistake; and to FILE.json the same as facts (recognise.hpp). With --debug it stops in
-// the debugger at the simplest wrong case, then asks it once more.
+// then "passed" or "failed" and the feedback; or, if no case is wrong, but the given earlier parts
+// were asked what isn't recorded, "undecided", or "open" where that followed a right answer. After
+// this word come the sizes of PRINTED, the file of standard output, before and after the reported
+// case; and what there is to report also stands as facts in a file beside it (facts.hpp). A check
+// that already has its file isn't run again, so that after a crash a second run continues with the
+// next one; STACK then tells where it came. A check that takes too long ends the program. With
+// --mistake no test runs: it writes to FILE the heading of the hint for the check, in the hints of
+// STEM, and what the answers to all public cases tell of the mistake; and to FILE.json the same as
+// facts (recognise.hpp). With --debug it stops in the debugger at the simplest wrong case, then
+// asks it once more.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -75,7 +76,7 @@ class Notes : public testing::EmptyTestEventListener, public Reporter {
   std::string text_;               // of the failure
   std::vector<std::string> from_;  // the sizes of standard output before each question, behind ""
   std::string from_to_;            // these sizes before and after the reported case
-  bool is_undecided_ = false;
+  bool is_undecided_ = false, is_open_ = false;
 
   void asks(const Failure& if_it_ends) override {
     asked_ = in_words(if_it_ends);
@@ -91,6 +92,8 @@ class Notes : public testing::EmptyTestEventListener, public Reporter {
 
   void finds_undecided() override { is_undecided_ = true; }
 
+  void finds_open() override { is_open_ = true; }
+
   std::string fails(const Failure& failure) override {
     note_facts(failure);
     return text_ = in_words(failure);
@@ -100,7 +103,7 @@ class Notes : public testing::EmptyTestEventListener, public Reporter {
     check_ = std::string(test.test_suite_name()) + "." + test.name();
     text_ = from_to_ = "";
     from_ = {""};
-    is_undecided_ = false;
+    is_undecided_ = is_open_ = false;
     note("running", "");
     limit_time([this] { note("hung" + from_.back(), asked_); });
   }
@@ -109,7 +112,11 @@ class Notes : public testing::EmptyTestEventListener, public Reporter {
     lift_time_limit();
     const auto& result = *test.result();
     if (result.Failed() && text_.empty()) text_ = result.GetTestPartResult(0).message();
-    note(result.Failed() ? "failed" + from_to_ : is_undecided_ ? "undecided" : "passed", text_);
+    note(result.Failed() ? "failed" + from_to_
+         : is_undecided_ ? "undecided"
+         : is_open_      ? "open"
+                         : "passed",
+         text_);
   }
 
   std::string bytes_printed() const {

@@ -11,7 +11,7 @@ namespace {
 constexpr double kWork = 3;  // s of CPU time, so that a busy machine makes no difference
 constexpr auto kWait = std::chrono::seconds(60);
 constexpr auto kLook = std::chrono::milliseconds(100);
-constexpr int kTooLong = 124;  // the exit status, as of the command timeout
+constexpr int kTooLong = 124, kWaited = 125;  // exit statuses; the command timeout has the first
 
 double worked() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -26,9 +26,10 @@ void limit_time(const std::function<void()>& last_words) {
     const double start = worked();
     const auto end = std::chrono::steady_clock::now() + kWait;
     while (is_over.wait_for(kLook) != std::future_status::ready) {
-      if (worked() - start < kWork && std::chrono::steady_clock::now() < end) continue;
+      const bool has_worked = worked() - start >= kWork;
+      if (!has_worked && std::chrono::steady_clock::now() < end) continue;
       last_words();
-      std::_Exit(kTooLong);
+      std::_Exit(has_worked ? kTooLong : kWaited);
     }
   });
 }
