@@ -17,12 +17,12 @@
 // ended says how the program ended, if it did, {"what", "number", "text"}, and stack where it came;
 // failure is the failed case in numbers, and answer what is right there, which students must not
 // see if the case is hidden; null if the check passed, or failed as a whole. smallest is the
-// simplest wrong case: with "recognise" and hidden cases, of the first check with a wrong number,
-// one that is looked for with more questions (smallest.hpp); else the simplest public one (all
-// three: tests/parts/facts.hpp). largest_error is the largest in public cases, and null if it isn't
-// finite. asked_given says whether the program called the given part before. mistakes and patterns
-// (recognise.hpp) are empty unless "recognise" is given and a check failed; then a second runner is
-// asked the public cases.
+// simplest wrong case: without hidden cases, the public one in failure; with them and "recognise",
+// of the first check with a wrong number, one that is looked for with more questions
+// (smallest.hpp); else null (all three: tests/parts/facts.hpp). largest_error is the largest in
+// public cases, and null if it isn't finite. asked_given says whether the program called the given
+// part before. mistakes and patterns (recognise.hpp) are empty unless "recognise" is given and a
+// check failed; then a second runner is asked the public cases.
 //
 // With "answers", it prints the runner's answers to the public cases instead: each is a list of
 // numbers, with null for NaN and infinity, or the text of an exception. With "watch", it asks
@@ -221,9 +221,10 @@ const tests::Check& one_question_of(const tests::Check& failed) {
   return failed.asks_once ? *last : failed;
 }
 
-// Puts the simplest case in place of the one that is simplest among those that were asked.
+// Puts a case that is looked for in place of those that are simplest among the public ones.
 void find_smallest(Verdicts& verdicts, const std::map<std::string, AskedCheck>& all) {
-  if (!verdicts.with_numbers) return;
+  for (json& check : verdicts.checks) check["smallest"] = nullptr;
+  if (!verdicts.with_numbers || !is_asked("recognise")) return;
   json& check = verdicts.checks[verdicts.place];
   const tests::CheckAnswers& failed = all.at(check["id"]).asked;
   const tests::Check& asks = one_question_of(failed.check);
@@ -271,7 +272,7 @@ json verdicts() {
   const bool has_hidden = std::any_of(
       tests::fixture_folders.begin(), tests::fixture_folders.end(),
       [](const std::filesystem::path& folder) { return folder.filename() == "hidden"; });
-  if (is_asked("recognise") && has_hidden) find_smallest(*verdicts, all);
+  if (has_hidden) find_smallest(*verdicts, all);
   json result = {{"checks", verdicts->checks},
                  {"largest_error", tests::largest_error()},
                  {"asked_given", first->has_asked_given()},

@@ -6,7 +6,6 @@
 #include <bounce/part3_step.hpp>
 #include <bounce/part4_simulate.hpp>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "../../solution/fixtures/decidable.hpp"
@@ -19,11 +18,12 @@ using fixtures::mode_of_step;
 using tests::Case;
 using tests::Check;
 using tests::complexity;
+using tests::Complexity;
 using tests::Entry;
 using tests::Problem;
+using words::kDegree;
 
 constexpr int kMostQuestions = 200, kMostStarts = 50;
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kTie = 1e-12, kAlmostATie = 1e-6;  // m, of the two lowest corners
 constexpr double kSlowest = 1e-7;                   // m/s, of a corner that slides
 
@@ -58,19 +58,28 @@ bool solve_trajectory(Case& c) {
   return true;
 }
 
-// Fills in what is right. Returns whether that is decidable, and the part is known here.
-bool solve(Case& c) {
+bool solve_lcp_of(Case& c) {
+  c.lcp = form_lcp(c.J, c.v, c.params);
+  return true;
+}
+
+// Fills in what is right. Returns whether that is decidable, and the part is known here. An LCP
+// that has no solution isn't decidable.
+bool solve(Case& c) try {
   c.hidden = false;
   c.corner.clear();
   if (c.check.starts_with("part1")) return solve_contact(c);
-  if (c.check.starts_with("part2")) return c.lcp = form_lcp(c.J, c.v, c.params), true;
+  if (c.check.starts_with("part2")) return solve_lcp_of(c);
   if (c.check.starts_with("part3")) return solve_step(c);
   return c.check.starts_with("part4") && solve_trajectory(c);
+} catch (const std::exception&) {
+  return false;
 }
 
 // --- simpler numbers ---
 
 double rounded(double x, int digits) {
+  if (x == 0) return 0;
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(x))) + 1 - digits);
   const double steps = std::round(x / unit);
   return unit < 1 ? steps / std::round(1 / unit) : steps * unit;
@@ -87,7 +96,7 @@ std::vector<double> simpler(const Entry& number) {
   } else {
     all.push_back(std::copysign(1.0, x));
   }
-  for (int digits = 1; x != 0 && digits < 8; ++digits) all.push_back(rounded(x, digits) * unit);
+  for (int digits = 1; digits < 8; ++digits) all.push_back(rounded(x, digits) * unit);
   return all;
 }
 
@@ -123,13 +132,23 @@ Case with_at_the_same_height(const Case& c, std::size_t number, double value, in
   return other;
 }
 
+// Whether a case that was made from this one can be shown. One made from a hidden case has none of
+// its digits left, as it might have its answer, too: a program can be wrong for this case alone.
+bool can_be_shown(const Case& failed, Case c) {
+  constexpr int kMostDigits = 2;
+  const auto numbers = tests::numbers_in(c);
+  return !failed.hidden || std::all_of(numbers.begin(), numbers.end(), [&](const Entry& number) {
+    return *number.value == number.usual || tests::digits_of(number) <= kMostDigits;
+  });
+}
+
 // --- the search ---
 
 class Search {
  public:
   Search(const Begin& begin, const Check& check) : begin_(begin), check_(check) {}
 
-  // The last of these questions, of which a new program is asked one after the other.
+  // What is wrong with the answer to the last of these questions. A new program is asked them all.
   Problem ask_anew(std::vector<Case> questions) {
     const auto program = begin_();
     Problem problem;
@@ -155,23 +174,24 @@ class Search {
       return better;
     };
     if (c.check.starts_with("part4")) shorten(c, take);
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (std::size_t i = 0; i < tests::numbers_in(c).size(); ++i) {
-        const std::vector<double> values = simpler(tests::numbers_in(c)[i]);
-        changed = std::any_of(values.begin(), values.end(),
-                              [&](double value) {
-                                if (take(with(c, i, value))) return true;
-                                const Entry number = tests::numbers_in(c)[i];
-                                const bool changes_height = number.is_angle ||
-                                                            number.value == &c.params.l ||
-                                                            number.value == &c.params.delta;
-                                if (!c.check.starts_with("part3") || !changes_height) return false;
-                                return take(with_at_the_same_height(c, i, value, 3)) ||
-                                       take(with_at_the_same_height(c, i, value, 4));
-                              }) ||
-                  changed;
-      }
+    for (Complexity before; before != complexity(c);) {
+      before = complexity(c);
+      for (std::size_t i = 0; i < tests::numbers_in(c).size(); ++i) simplify_number(c, i, take);
+    }
+  }
+
+  // Takes the first simpler value that leaves the case wrong.
+  template <class Take>
+  static void simplify_number(Case& c, std::size_t i, const Take& take) {
+    const Entry number = tests::numbers_in(c)[i];
+    const bool changes_height =
+        number.is_angle || number.value == &c.params.l || number.value == &c.params.delta;
+    const bool keeps_height = changes_height && c.check.starts_with("part3");
+    for (const double value : simpler(number)) {
+      const Case before = c;
+      if (take(with(before, i, value))) return;
+      for (const int digits : {3, 4})
+        if (keeps_height && take(with_at_the_same_height(before, i, value, digits))) return;
     }
   }
 
@@ -184,7 +204,10 @@ class Search {
       shorter.params.T = columns;
       return take(shorter);
     };
-    while (T < c.params.T && !is_taken(T)) T = 2 * (right = T);
+    while (T < c.params.T && !is_taken(T)) {
+      right = T;
+      T *= 2;
+    }
     while (c.params.T - right > 1) {
       const int halfway = (right + c.params.T) / 2;
       if (!is_taken(halfway)) right = halfway;
@@ -195,13 +218,13 @@ class Search {
     const auto program = begin_();
     const Case failed = c;
     simplify(c, [&](Case changed) { return !ask(*program, changed).differences.empty(); });
-    const bool is_its_own = !failed.hidden || complexity(c) != complexity(failed);
-    return is_its_own ? shown({c}) : std::nullopt;
+    return can_be_shown(failed, c) ? shown({c}) : std::nullopt;
   }
 
   // Of a case that is wrong only after another: itself with the assignment's parameters, or one of
   // these, the most similar first.
   std::optional<words::Smallest> of_two(Case c, std::vector<Case> before) {
+    const Case failed = c;
     before.push_back(c);
     before.back().params = {.T = c.params.T};
     std::stable_sort(before.begin(), before.end(),
@@ -222,7 +245,7 @@ class Search {
       });
       simplify(c, [&](const Case& changed) { return is_wrong_after(first, changed); });
       simplify(first, [&](const Case& changed) { return is_wrong_after(changed, c); });
-      return shown({first, c});
+      return can_be_shown(failed, c) ? shown({first, c}) : std::nullopt;
     }
     return {};
   }

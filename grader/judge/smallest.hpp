@@ -17,7 +17,7 @@ using Begin = std::function<std::unique_ptr<Session>()>;
 // Simplifies the case in which the check fails, number by number, as long as the program is still
 // wrong and correct programs can't differ. A program that is right when it is asked this case first
 // keeps something from another one, which is then shown, too: it is looked for in `before`. Empty
-// if there is none, or nothing is simpler than a hidden case. If the program ends or hangs
+// if there is none, or digits of a hidden case are left. If the program ends or hangs
 // meanwhile, the simplest so far stands.
 std::optional<words::Smallest> smallest(const Begin& begin, const tests::Check& check,
                                         const tests::Case& failed,

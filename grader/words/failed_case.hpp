@@ -8,6 +8,8 @@
 
 namespace bounce::words {
 
+inline constexpr double kDegree = 3.14159265358979323846 / 180;  // rad
+
 using Rows = std::vector<std::vector<double>>;
 
 // A number, vector or matrix of a question, or a parameter.
@@ -77,10 +79,9 @@ std::string question(const FailedCase& failed);
 
 // on_paper.cpp: the smallest case in a sentence, unless it is the failed case itself; and below it,
 // a line each, what leads to the answer:
-//   smallest q = (0, 0.1 m, 30°), all else as in the assignment: phi = -0.0366025 m is right, yours
-//   is
-//            0.0133975 m.
-//            r = (0.0366025 m, -0.136603 m)  (eq. 5)
+//   smallest q = (0, 0, 30°), all else as in the assignment: phi = -0.136603 m is right, yours is
+//   0.
+//            r = (-0.0366025 m, -0.136603 m)  (eq. 5)
 std::string on_paper(const Smallest& smallest, const FailedCase& failed);
 
 // What came in place of numbers, as a line below the question.

@@ -6,9 +6,7 @@
 namespace bounce::words {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr int kDigits = 6, kMore = 12;
-
 constexpr double kTolerance = 1e-9;
 
 bool is_round(double x, int digits) {

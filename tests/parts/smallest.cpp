@@ -9,7 +9,6 @@
 namespace bounce::tests {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr int kMostDigits = 17;
 
 int part_of(const Case& c) { return c.check.at(4) - '0'; }  // "part3.FallsFreely"
@@ -138,7 +137,7 @@ std::vector<Entry> numbers_in(Case& c) {
 
 int digits_of(const Entry& number) {
   const int digits = digits_of(*number.value);
-  return number.is_angle ? std::min(digits, digits_of(*number.value / kDegree)) : digits;
+  return number.is_angle ? std::min(digits, digits_of(*number.value / words::kDegree)) : digits;
 }
 
 Complexity complexity(Case c) {

@@ -90,10 +90,13 @@ def which_counts(part: Part, own: Judged | None, given: Judged | None) -> Judged
     if own.score(part) < part.points and given and given.status == "graded":
         # No wrong earlier part is in its numbers.
         verdicts = {
-            id: verdict._replace(smallest=given.verdicts[id].smallest)
+            id: verdict._replace(smallest=verdict.smallest or given.verdicts[id].smallest)
             for id, verdict in own.verdicts.items()
+            if not verdict.passed
         }
-        return own._replace(verdicts=verdicts, mistakes=given.mistakes, patterns=given.patterns)
+        return own._replace(
+            verdicts=own.verdicts | verdicts, mistakes=given.mistakes, patterns=given.patterns
+        )
     return own
 
 

@@ -51,3 +51,24 @@ def test_the_answer_of_a_hidden_case_is_shown_only_where_that_is_asked_for(tmp_p
     for check in checks[0].values():
         assert "revealed" not in check
         assert all("expected" not in q for q in check.get("shown", {}).get("quantities", []))
+
+
+def test_a_program_that_is_wrong_in_one_hidden_case_alone_isnt_told_its_answer(
+    tmp_path: Path,
+) -> None:
+    """Its input is shown, so that a program can be wrong there and nowhere else: any case that was
+    made from it would have its answer, too."""
+    hidden = json.loads((fixtures.hidden_folder() / "part1_contacts.json").read_text())["checks"]
+    case = next(case for case in hidden[PHI] if case["name"].startswith("a square turned"))
+    (_, y, theta), phi = case["input"]["q"], case["expected"]["phi"]
+    part1 = solution_files()["part1_contacts.cpp"].decode()
+    there = f"q(1) == {y!r} && q(2) == {theta!r}"
+    part1 = part1.replace("q(1) + r.y()", f"q(1) + r.y() + ({there} ? 0.25 : 0)")
+    files = {**solution_files(), "part1_contacts.cpp": part1.encode()}
+    out = tmp_path / "out"
+    folder = write(tmp_path / "submission", files)
+    assert cli.main(["grade", str(folder), "--no-sanitize", "--json", str(out)]) == 0
+    record: Any = json.loads(out.read_text())
+    check = next(c for c in record["parts"][0]["checks"] if c["id"] == PHI)
+    assert "(a hidden case)" in check["message"] and not check["passed"]
+    assert f"{phi:.6g}" not in json.dumps(record)
