@@ -127,6 +127,8 @@ std::string question(const FailedCase& failed) {
   for (const Value& x : failed.input) {
     const std::string begin = x.name + " = ";
     text += begin + in_brackets(x.rows, blanks + std::string(begin.size(), ' ')) + "  " + x.unit;
+    if (x.name[0] == 'q' && !in_degrees(x.rows.back()[0]).empty())
+      text += ", theta = " + in_degrees(x.rows.back()[0]);
     text += "\n" + blanks;
   }
   return text + "parameters: " + in_words(failed.parameters);

@@ -65,6 +65,9 @@ struct FailedCase {
 // To so many digits; what is only a rounding error of 0 as 0.
 std::string number(double x, int digits);
 
+// "30°"; empty if the angle is rounder in radians.
+std::string in_degrees(double radians);
+
 // "2 of 9 cases wrong", or "ended at case 3 of 9".
 std::string counts(const FailedCase& failed);
 

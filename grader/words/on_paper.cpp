@@ -13,12 +13,10 @@ bool is_round(double x, int digits) {
   return std::abs(std::stod(number(x, digits)) - x) <= 1e-13 * std::abs(x);
 }
 
-// In degrees where these are rounder.
 std::string angle(double radians) {
-  const double degrees = radians / kDegree;
   if (radians == 0) return "0";
-  const bool is_rounder = is_round(degrees, 4) && !is_round(radians, 2);
-  return is_rounder ? number(degrees, 4) + "°" : number(radians, kMore) + " rad";
+  const std::string degrees = in_degrees(radians);
+  return degrees.empty() ? number(radians, kMore) + " rad" : degrees;
 }
 
 // "m, m, rad" of an entry; a unit for all entries may stand alone.
@@ -100,6 +98,13 @@ bool are_same(const std::vector<Value>& some, const std::vector<Value>& others) 
 }
 
 }  // namespace
+
+std::string in_degrees(double radians) {
+  constexpr int kFew = 4;
+  const double degrees = radians / kDegree;
+  const bool is_rounder = radians != 0 && is_round(degrees, kFew) && !is_round(radians, kFew);
+  return is_rounder ? number(degrees, kFew) + "°" : "";
+}
 
 std::string on_paper(const Smallest& smallest, const FailedCase& failed) {
   const bool is_shown = !smallest.before && are_same(smallest.asked.input, failed.input) &&
