@@ -188,10 +188,9 @@ class Search {
         number.is_angle || number.value == &c.params.l || number.value == &c.params.delta;
     const bool keeps_height = changes_height && c.check.starts_with("part3");
     for (const double value : simpler(number)) {
-      const Case before = c;
-      if (take(with(before, i, value))) return;
+      if (take(with(c, i, value))) return;
       for (const int digits : {3, 4})
-        if (keeps_height && take(with_at_the_same_height(before, i, value, digits))) return;
+        if (keeps_height && take(with_at_the_same_height(c, i, value, digits))) return;
     }
   }
 

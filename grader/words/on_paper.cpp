@@ -81,14 +81,17 @@ Wrong to_show(const Smallest& smallest) {
 }
 
 std::string in_a_sentence(const Smallest& smallest) {
-  const auto [right, got] = to_show(smallest);
+  const Wrong wrong = to_show(smallest);
+  const Value& right = wrong.right;
   const auto said = [&](const Rows& rows, int digits) { return in_line(right, rows, digits); };
-  const int digits = said(right.rows, kDigits) == said(got, kDigits) ? kMore - 1 : kDigits;
+  const int digits = said(right.rows, kDigits) == said(wrong.got, kDigits) ? kMore - 1 : kDigits;
   std::string text = input_of(smallest.asked) + ", all else as in the assignment: " + right.name +
-                     " = " + said(right.rows, digits) + " is right, yours is " + said(got, digits);
-  if (smallest.before)
+                     " = " + said(right.rows, digits) + " is right, yours is " +
+                     said(wrong.got, digits);
+  if (smallest.before) {
     text = "a call with " + input_of(*smallest.before) + ", then one with " + text +
            "; without the first call yours is right";
+  }
   return text + ".";
 }
 
@@ -103,7 +106,7 @@ std::string in_degrees(double radians) {
   constexpr int kFew = 4;
   const double degrees = radians / kDegree;
   const bool is_rounder = radians != 0 && is_round(degrees, kFew) && !is_round(radians, kFew);
-  return is_rounder ? number(degrees, kFew) + "°" : "";
+  return is_rounder ? number(degrees, kFew) + "\u00B0" : "";
 }
 
 std::string on_paper(const Smallest& smallest, const FailedCase& failed) {

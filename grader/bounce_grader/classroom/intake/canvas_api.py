@@ -94,7 +94,7 @@ class Canvas:
         """The body of an answer, and the address of the list's next page. Raises UsageError if the
         token isn't accepted, Refused if this request isn't, KitError if Canvas can't be reached."""
         unreachable = KitError(f"no answer from {self._origin}: give the same command again later")
-        wanted = {"stream": True, "timeout": SECONDS, "auth": self._sign, **content}
+        wanted: dict[str, Any] = {"stream": True, "timeout": SECONDS, "auth": self._sign, **content}
         try:
             with self._session.request(method, url, **wanted) as answer:
                 body = answer.raw.read(LARGEST + 1, decode_content=True)
