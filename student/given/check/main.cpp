@@ -91,12 +91,20 @@ bool check(const Options& options, bool replaces = false) {
   return is_right;
 }
 
-// Checks whenever a source changes, until the program is ended.
-[[noreturn]] void watch(const Options& options) {
+// Checks whenever a source changes, until the program is ended. Where one part was asked for and is
+// right, the next follows at once, and all after the last.
+[[noreturn]] void watch(Options options) {
+  const int last = read_run(0, false).all.back().number;
   for (bool again = false;; again = true) {
     const std::string before = state_of_sources();
     try {
-      check(options, again);
+      for (bool replaces = again; check(options, replaces) && options.part; replaces = false) {
+        const bool is_last = options.part == last;
+        options.part = is_last ? 0 : options.part + 1;
+        std::cout << heading(is_last ? "Now all parts together:"
+                                     : "Now part " + std::to_string(options.part) + ":")
+                  << std::endl;
+      }
     } catch (const Failure& failure) {  // a file may be missing for a moment
       std::cout << "check: " << failure.what() << "\n";
     }

@@ -70,6 +70,37 @@ void print_part(const Run& run, const Part& part) {
   if ((&part == run.first_part && run.first_check) || is_open) print_checks(part);
 }
 
+// All checks in the order in which they are won, a mark each, and how many pass; those of the last
+// run are remembered.
+void print_ladder(const Run& run) {
+  const auto file = kWork / "ladder";
+  std::string ladder;
+  int passed = 0, all = 0;
+  for (const Part& part : run.all) {
+    for (const Check& check : part.checks) {
+      const std::string status = part.result.note(check).status;
+      const bool is_next = &part == run.first_part &&
+                           &check == (run.first_check ? run.first_check : &part.checks.front());
+      ladder += is_next                ? "\u2192"
+                : status == "passed"   ? "\u2713"
+                : status == "unknown"  ? "\u00b7"
+                : status == kUndecided ? "?"
+                                       : "\u2717";
+      passed += status == "passed";
+      ++all;
+    }
+    ladder += "  ";
+  }
+  const int more = passed - std::atoi(read(file).c_str());
+  std::cout << "Checks  " << ladder << bold(std::to_string(passed) + " of " + std::to_string(all))
+            << " checks pass"
+            << (more > 0 && std::filesystem::exists(file)
+                    ? ", " + std::to_string(more) + " more than last time"
+                    : "")
+            << (run.first_part ? "; \u2192 is next" : "") << "\n";
+  write(file, std::to_string(passed));
+}
+
 // The lines, without what assertions and exceptions print behind what the part has printed.
 std::vector<std::string> own_prints(const Part& part, const std::string& printed) {
   std::vector<std::string> own;
@@ -220,6 +251,7 @@ void print_what_does_not_compile(const Run& run) {
 
 bool report(const Run& run) {
   for (const Part* part : run.chosen) print_part(run, *part);
+  if (!run.is_one_part()) print_ladder(run);
   const Part& last = *run.chosen.back();
   if (run.first_part && !run.is_one_part() && run.first_part != &last) {
     std::cout << dim("Parts 3 and 4 call earlier ones, so part " +

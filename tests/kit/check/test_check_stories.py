@@ -83,6 +83,7 @@ def test_a_student_is_told(expected: Path, tmp_path: Path, request: pytest.Fixtu
     home = unzipped(tmp_path) if is_fresh else request.getfixturevalue("home")
     for kept in (home / "build/check").glob("*_found.txt"):
         kept.unlink()  # what was measured once after a change
-    (home / "build/check/hint").unlink(missing_ok=True)
+    for name in ("hint", "ladder"):
+        (home / "build/check" / name).unlink(missing_ok=True)
     told = [play(home, round) for round in STORIES[expected]["round"]]
     golden.compare_file(expected, "\n".join(told))

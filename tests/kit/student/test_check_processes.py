@@ -88,8 +88,8 @@ def test_checks_at_the_same_time_give_one_score(home: Path) -> None:
 
 
 @of_home
-def test_watches_until_it_is_stopped(home: Path) -> None:
-    put(home)
+def test_watches_until_it_is_stopped_and_goes_on_to_the_next_part(home: Path) -> None:
+    put(home, "stub 2")
     command = ["./check", "1", "--watch"]
     watch = subprocess.Popen(command, cwd=home, env=SYSTEM, stdout=PIPE, text=True)
 
@@ -102,9 +102,10 @@ def test_watches_until_it_is_stopped(home: Path) -> None:
 
     try:
         first = until_it_waits()
-        assert points(first) == [30] and "Part 2" not in first
+        assert points(first) == [30, 0] and "Now part 2:" in first and "Part 3" not in first
         put(home, CLOCKWISE)
-        assert "First: " in until_it_waits()
+        right = until_it_waits()
+        assert "Now part 4:" in right and "First: " in right.partition("Now all parts")[2]
     finally:
         watch.terminate()
         watch.communicate()
