@@ -90,8 +90,8 @@ Patterns inputs(const WrongPart& wrong);
 // Whether the same question, asked twice, gets two answers.
 bool answers_differ_when_asked_again(const WrongPart& wrong);
 
-// "Wrong only where ...", of the questions with these numbers. None if too few others are right, or
-// if nothing sets the wrong ones apart.
+// "Only those where ... are wrong", of the questions with these numbers. None if too few others are
+// right, or if nothing sets the wrong ones apart.
 Patterns where(const WrongPart& wrong, const std::vector<Number>& numbers);
 
 }  // namespace bounce::tests

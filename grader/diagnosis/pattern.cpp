@@ -36,8 +36,10 @@ Pattern which(int part, const std::vector<Number>& wrong, bool all_answered) {
     (is_wrong ? touched : right).push_back(quantity.name);
   }
   if (right.empty()) return {"wrong", {joined(touched)}};
-  return {all_answered ? "right_and_wrong" : "right_and_wrong_of_answered",
-          {joined(touched), joined(right)}};
+  const char* id = part == 4      ? "right_and_wrong_columns"
+                   : all_answered ? "right_and_wrong"
+                                  : "right_and_wrong_of_answered";
+  return {id, {joined(touched), joined(right)}};
 }
 
 // Whether it holds of a number in these answers.

@@ -84,6 +84,7 @@ FailedCase failed_case_from(const json& facts, const json& answer) {
   facts.at("wrong").get_to(failed.wrong);
   facts.at("ended_at").get_to(failed.ended_at);
   facts.at("again").get_to(failed.again);
+  facts.at("always_zero").get_to(failed.always_zero);
   facts.at("name").get_to(failed.name);
   facts.at("hidden").get_to(failed.hidden);
   facts.at("sentence").get_to(failed.sentence);
@@ -146,7 +147,7 @@ PartFacts part_from(const json& part) {
 // What is shown of the failed case in numbers.
 json shown(const json& check, bool reveal) {
   json shown = check.at("failure");
-  for (const char* name : {"cases", "wrong", "ended_at", "again"}) shown.erase(name);
+  for (const char* name : {"cases", "wrong", "ended_at", "again", "always_zero"}) shown.erase(name);
   const bool is_told = reveal || !shown.at("hidden");
   const json& answer = check.at("answer");
   shown["contact"] = is_told ? answer.at("contact") : json("");

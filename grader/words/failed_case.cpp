@@ -72,14 +72,11 @@ std::string side_by_side(const Quantity& q, bool shown) {
 }
 
 // Describes a number that can't be an answer to any question, such as one that was never set, which
-// a build fills with an odd value; or what isn't filled in. Empty if there is none.
-std::string explanation(const Quantity& q) {
-  const bool is_one = size(q.got) == 1;
-  const std::string subject = is_one ? "  it is " : "  an entry is ";
-  bool is_zero = true;
+// a build fills with an odd value. Empty if there is none.
+std::string odd_number(const Quantity& q) {
+  const std::string subject = size(q.got) == 1 ? "  it is " : "  an entry is ";
   for (const auto& row : q.got) {
     for (const double x : row) {
-      is_zero = is_zero && x == 0;
       if (std::isinf(x))
         return subject + number(x, 6) + ": a division by zero? With integers, 1 / 6 is 0.\n";
       if (std::abs(x) <= kNeverSet) continue;
@@ -87,9 +84,14 @@ std::string explanation(const Quantity& q) {
              (std::isnan(x) ? "0/0 or sqrt(-1).\n" : "what makes it so large.\n");
     }
   }
-  if (!is_zero) return "";
-  return is_one ? "  it is 0: not filled in yet, or a search for the smallest that found none?\n"
-                : "  every entry is 0: is it filled in?\n";
+  return "";
+}
+
+std::string explanation(const Quantity& q, bool always_zero) {
+  if (!always_zero) return odd_number(q);
+  return size(q.got) == 1
+             ? "  it is 0: not filled in yet, or a search for the smallest that found none?\n"
+             : "  every entry is 0: is it filled in?\n";
 }
 
 // "(a, b, c)", or the rows of a matrix below each other; a scalar without brackets.
@@ -147,7 +149,8 @@ std::string numbers(const FailedCase& failed, bool shown) {
   std::string text;
   if (shown && !failed.contact.empty()) text += "  " + failed.contact + "\n";
   if (!failed.sentence.empty()) text += got(failed.sentence);
-  for (const Quantity& q : failed.quantities) text += side_by_side(q, shown) + explanation(q);
+  for (const Quantity& q : failed.quantities)
+    text += side_by_side(q, shown) + explanation(q, failed.always_zero);
   if (!shown && !failed.quantities.empty())
     text += "  the right numbers aren't shown, as the case is hidden\n";
   if (!text.empty()) text.pop_back();

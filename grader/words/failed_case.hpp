@@ -52,6 +52,7 @@ struct FailedCase {
   std::size_t wrong = 0;     // of these
   std::size_t ended_at = 0;  // how many were asked until the program ended, with the last; else 0
   bool again = false;        // it was right when it was asked before, in another order
+  bool always_zero = false;  // each case is wrong, and every wrong number is 0
   std::string name;
   std::vector<Value> input;       // the question
   std::vector<Value> parameters;  // those that aren't the assignment's

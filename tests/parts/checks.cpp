@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <exception>
 #include <tuple>
 #include <utility>
@@ -25,6 +26,12 @@ Problem problem_of(Asker& asker, const Check& check, const Case& c, const Outcom
 auto rank_of(const Case& c, const Problem& problem) {
   const bool has_numbers = !problem.differences.empty();
   return std::tuple(!has_numbers, c.hidden, has_numbers ? complexity(c) : Complexity());
+}
+
+bool is_zero(const Problem& problem) {
+  const auto is = [](const Difference& difference) { return difference.got.isZero(0); };
+  return !problem.differences.empty() &&
+         std::all_of(problem.differences.begin(), problem.differences.end(), is);
 }
 
 // Compares the answers to all cases, which were asked once or once more. An exception is a wrong
@@ -51,6 +58,7 @@ Failure compare_all(Asker& asker, const CheckAnswers& asked, bool again, Reporte
     const bool is_first = failure.wrong++ == 0;
     const bool is_simpler =
         is_first || rank_of(c, problem) < rank_of(failure.asked, failure.problem);
+    failure.always_zero = (is_first || failure.always_zero) && is_zero(problem);
     ends = ends || got.ended;
     if (!got.ended && (ends || !is_simpler)) continue;
     failure.asked = c;
@@ -58,6 +66,7 @@ Failure compare_all(Asker& asker, const CheckAnswers& asked, bool again, Reporte
     number = again ? 2 * asked.cases.size() - 1 - i : i;
   }
   if (failure.wrong == 0) return failure;
+  failure.always_zero = failure.always_zero && failure.wrong == asked_cases;
   if (ends) failure.ended_at = asked_cases;
   const auto& [c, problem] = std::tie(failure.asked, failure.problem);
   reporter.finds_wrong(c, problem, number);
@@ -98,10 +107,11 @@ CheckAnswers::CheckAnswers(const Check& asked_check)
     : check(asked_check), cases(cases_of(check.id())), first(cases.size()), again(cases.size()) {}
 
 words::FailedCase failed_case(const Failure& failure) {
-  const auto& [c, problem, cases, wrong, ended_at, again, smallest] = failure;
+  const auto& [c, problem, cases, wrong, ended_at, again, always_zero, smallest] = failure;
   const auto [input, parameters] = question_of(c);
-  words::FailedCase failed{cases,    wrong,    ended_at,         again, c.name,  input, parameters,
-                           c.hidden, c.corner, problem.sentence, {},    smallest};
+  words::FailedCase failed{cases,   wrong,      ended_at, again,    always_zero,      c.name,
+                           input,   parameters, c.hidden, c.corner, problem.sentence, {},
+                           smallest};
   for (const auto& [name, unit, expected, got] : problem.differences) {
     failed.quantities.push_back(
         {name, unit, rows(got), rows(expected), rows(agrees(c, expected, got))});

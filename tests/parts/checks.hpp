@@ -85,6 +85,7 @@ struct Failure {
   std::size_t wrong = 0;     // of these
   std::size_t ended_at = 0;  // how many were asked until the program ended, with the last; else 0
   bool again = false;        // it was right when it was asked before, in another order
+  bool always_zero = false;  // each case is wrong, and every wrong number is 0
   std::optional<words::Smallest> smallest =
       {};  // of `asked`, if a number is wrong and it is public
 };

@@ -66,11 +66,17 @@ std::string facts(const words::FailedCase& failed) {
         {{"name", q.name}, {"unit", q.unit}, {"got", rows(q.got)}, {"right", q.right}});
     expected.push_back(rows(q.expected));
   }
-  const json failure = {{"cases", failed.cases},         {"wrong", failed.wrong},
-                        {"ended_at", failed.ended_at},   {"again", failed.again},
-                        {"name", failed.name},           {"hidden", failed.hidden},
-                        {"input", values(failed.input)}, {"parameters", values(failed.parameters)},
-                        {"sentence", failed.sentence},   {"quantities", quantities}};
+  const json failure = {{"cases", failed.cases},
+                        {"wrong", failed.wrong},
+                        {"ended_at", failed.ended_at},
+                        {"again", failed.again},
+                        {"always_zero", failed.always_zero},
+                        {"name", failed.name},
+                        {"hidden", failed.hidden},
+                        {"input", values(failed.input)},
+                        {"parameters", values(failed.parameters)},
+                        {"sentence", failed.sentence},
+                        {"quantities", quantities}};
   const json answer = {{"contact", failed.contact}, {"expected", expected}};
   // A text may be that of a submission's exception, which may be invalid UTF-8.
   const auto replace = json::error_handler_t::replace;

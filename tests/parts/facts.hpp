@@ -4,6 +4,7 @@
 //   "cases", "wrong"   how many the check has, and how many are wrong
 //   "ended_at"   how many cases were asked until the program ended, 0 if it didn't
 //   "again"      whether all were right when they were asked before, in another order
+//   "always_zero"   whether each case is wrong, and every wrong number is 0
 //   "name", "hidden"   of the case
 //   "input", "parameters"   what is asked, and the parameters that aren't the assignment's:
 //                {"name", "rows", "unit"}

@@ -135,17 +135,26 @@ std::vector<Entry> numbers_in(Case& c) {
   return all;
 }
 
-int digits_of(const Entry& number) {
-  const int digits = digits_of(*number.value);
-  return number.is_angle ? std::min(digits, digits_of(*number.value / words::kDegree)) : digits;
+// An angle in degrees, where it is rounder there.
+double as_written(const Entry& number) {
+  const double x = *number.value, degrees = x / words::kDegree;
+  return number.is_angle && digits_of(degrees) < digits_of(x) ? degrees : x;
 }
+
+// How many digits are written: 0.007 has three behind its point's zero, 100 has three.
+int length_of(double x) {
+  const int digits = digits_of(x), power = static_cast<int>(std::floor(std::log10(std::abs(x))));
+  return digits + std::max({0, -1 - power, power + 1 - digits});
+}
+
+int digits_of(const Entry& number) { return digits_of(as_written(number)); }
 
 Complexity complexity(Case c) {
   Complexity all{0, part_of(c) == 4 ? c.params.T : 0, 0};
   for (const Entry& number : numbers_in(c)) {
     if (*number.value == number.usual) continue;
     ++all[0];
-    all[2] += digits_of(number);
+    all[2] += length_of(as_written(number));
   }
   return all;
 }

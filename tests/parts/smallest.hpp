@@ -21,7 +21,8 @@ std::vector<Entry> numbers_in(Case& c);
 // How many digits it takes to write a number; an angle may be written in degrees.
 int digits_of(const Entry& number);
 
-// How many numbers aren't the simplest; T, of a trajectory; all digits. The less, the simpler.
+// How many numbers aren't the simplest; T, of a trajectory; how long all are, written down. The
+// less, the simpler.
 using Complexity = std::vector<int>;
 Complexity complexity(Case c);
 

@@ -20,8 +20,10 @@ Case some_case() {
 
 using Matrix = Eigen::MatrixXd;
 
-std::string told(const Case& c, const Matrix& expected, const Matrix& got) {
-  return words::numbers(failed_case({c, compare(c, "a quantity", "m", expected, got)}), true);
+std::string told(const Case& c, const Matrix& expected, const Matrix& got, bool always_zero) {
+  Failure failure{c, compare(c, "a quantity", "m", expected, got)};
+  failure.always_zero = always_zero;
+  return words::numbers(failed_case(failure), true);
 }
 
 Matrix scalar(double x) { return Matrix::Constant(1, 1, x); }
@@ -31,19 +33,22 @@ TEST(feedback, MarksWhatIsWrongAndSaysWhatMayBeTheCause) {
   const struct {
     const char* name;
     Matrix right, got;
+    bool always_zero = false;
   } rows[] = {
       {"one entry, beside a rounding error", Vector3(0, 2, 3), Vector3(-6.9e-17, 5, 3)},
       {"in the eighth digit", Vector3(1, 2, 3), Vector3(1, 2.0000001, 3)},
       {"nan", Vector3(1, 2, 3), Vector3(1, NAN, 3)},
       {"nan with a sign", Vector3(1, 2, 3), Vector3(1, -NAN, 3)},
       {"infinite", Vector3(1, 2, 3), Vector3(1, -INFINITY, 3)},
-      {"zeros", Vector3(1, 2, 3), Vector3(0, 0, 0)},
+      {"zeros", Vector3(1, 2, 3), Vector3(0, 0, 0), true},
+      {"zeros in this case alone", Vector3(1, 2, 3), Vector3(0, 0, 0)},
       {"a scalar that is nan", scalar(0.2), scalar(NAN)},
       {"a scalar that was never set", scalar(0.2), scalar(-5.4e303)},
       {"a large scalar", scalar(0.2), scalar(2e29)},
   };
   Texts texts;
-  for (const auto& row : rows) texts.emplace_back(row.name, told(c, row.right, row.got));
+  for (const auto& row : rows)
+    texts.emplace_back(row.name, told(c, row.right, row.got, row.always_zero));
   expect_texts("feedback.txt", texts);
 }
 
