@@ -51,7 +51,7 @@ def _part(part: sentences.Part) -> list[tuple[str, str]]:
         out.append(("", f"  {terminal(part['message'])}"))
     out += [("yellow", f"  remark, no points: {terminal(r)}") for r in part.get("remarks", [])]
     for mistake in part["mistakes"]:
-        out.append(("yellow", f"  looks like: {mistake['title']}"))
+        out.append(("yellow", f"  Looks like: {mistake['title']}"))
         out.append(("", f"    {mistake['sentence']}"))
         out.append(("dim", f"    {mistake['where']}"))
     out += [("", f"  {sentence}") for sentence in part["patterns"]]
