@@ -13,7 +13,7 @@ inline constexpr char kFloat[] = "floating point";        // an exception that t
 inline constexpr char kFound[] = "found: ";               // and the sanitizers' name for it
 inline constexpr char kUnknown[] = "unknown";             // anything else
 inline constexpr char kStack[] = "stack of the crash:";   // and the addresses on the stack:
-inline constexpr int kFrames = 40;                        // at most so many,
+inline constexpr int kFrames = 150;                       // at most so many,
 inline constexpr int kDigits = 16;                        // each " 0x" and so many digits
 
 // From here on; to a file, or to standard error. Does nothing on Windows.

@@ -111,7 +111,7 @@ def _built(work: Work, unnamed: set[str], file: str) -> Built:
 def name_of(work: Work, file: str, names: Iterable[str]) -> str:
     """The cache key of an object: a hash of all that it is made from, the toolchain and FORMAT."""
     taken, kind = work.taken, work.box.kind
-    made_from = [FORMAT, toolchain_digest(), file, kind, work.timed, taken.include_folders]
+    made_from = [FORMAT, toolchain_digest(), file, kind, work.kind, taken.include_folders]
     texts = [(name, taken.files[name]) for name in names]
     return digest(made_from, texts)
 
@@ -119,7 +119,7 @@ def name_of(work: Work, file: str, names: Iterable[str]) -> str:
 @cache
 def toolchain_digest() -> str:
     """A digest of the flags, the precompiled headers and the kit's own objects."""
-    if not (RUNNER / "prelude.pch").exists():
+    if not (RUNNER / "graded.pch").exists():
         raise KitError("the kit isn't built: run it as ./kit, which builds what is missing")
     if not os.access(BUILD, os.W_OK):
         whose = f"{BUILD} belongs to {BUILD.owner()}, who alone can grade with it"
@@ -143,6 +143,11 @@ def is_there(object_file: Path) -> bool:
     except FileNotFoundError:
         return False
     return hashlib.sha256(data[:-DIGEST]).digest() == data[-DIGEST:]
+
+
+def contents_of(stored: Path) -> bytes:
+    """What was stored there."""
+    return stored.read_bytes()[:-DIGEST]
 
 
 def store(data: bytes, path: Path) -> Path:

@@ -3,13 +3,13 @@
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from bounce_grader.build.errors import Built, of_compiler, of_linker
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import printable_text, terminal
 from bounce_grader.common.manifest import Part, parts
-from bounce_grader.common.paths import CACHE, CONTRACT, RUNNER, SOURCES
+from bounce_grader.common.paths import CACHE, CONTRACT, RUNNER
 from bounce_grader.sandbox.box import Box, PROGRAMS
 from bounce_grader.sandbox.processes import Limits, Result
 from bounce_grader.submission.submission import Submission
@@ -22,18 +22,17 @@ HELPERS_BYTES = 32 << 20  # of all helpers of a submission together; one more ma
 MAIN = b"_Z14submitted_main"  # in an object whose source defines main, by its name for the linker
 LINK = Limits(cpu_seconds=10, wall_seconds=60, memory=2 << 30, file_size=64 << 20)
 RUNNER_OBJECTS = ("runner", "channel", "crash", "solve_lcp")
-# The checked code comes first: of an inline function in several objects the linker takes the first.
-KIT_OBJECTS = ("prelude", *RUNNER_OBJECTS)
 
-# Without what AddressSanitizer finds, too, and what a file does that can't be opened in the box.
-SANITIZERS = (
-    "-fsanitize=address,undefined",
-    "-fno-sanitize=alignment,null,object-size,vptr,nonnull-attribute,returns-nonnull-attribute",
-    "-fno-sanitize-recover=all",
-)
-# Eigen allocates in another way for sanitizers, and the kit's objects free as without them.
-ALLOCATES_ALIKE = "-DEIGEN_MALLOC_ALREADY_ALIGNED=1"
-CHECKED_LINK = ("-no-pie", *(f"-static-lib{name}" for name in ("asan", "ubsan", "stdc++", "gcc")))
+# What a submission is built for: as graded, to be timed, or with sanitizers. Each has its flags, its
+# precompiled header, and the objects that are linked with the runner's. The checked code comes first:
+# of an inline function in several objects the linker takes the first. A runner that is timed goes
+# without the prelude's code, whose run-time checks make it slower than the parts'.
+Kind = Literal["graded", "speed", "sanitized"]
+KIT_OBJECTS = {
+    "graded": ("prelude", *RUNNER_OBJECTS),
+    "speed": RUNNER_OBJECTS,
+    "sanitized": ("sanitized", *RUNNER_OBJECTS, "sanitizers"),
+}
 
 
 class Work(NamedTuple):
@@ -43,7 +42,7 @@ class Work(NamedTuple):
     folder: Path
     box: Box
     jobs: int = 1  # at the same time
-    timed: bool = False  # built as for normal use, without run-time checks
+    kind: Kind = "graded"
     parts: Mapping[int, Built] = {}  # by number
     helpers: Sequence[Built] = ()
 
@@ -86,17 +85,15 @@ def _killed_early(result: Result) -> bool:
 
 
 def clang(work: Work, file: str) -> list[str]:
-    flags, header = ("speed_flags", "speed") if work.timed else ("clang_flags", "prelude")
-    command = [compiler(), f"@{RUNNER / flags}.txt", "-include-pch", str(RUNNER / f"{header}.pch")]
-    return [*command, *_source(work, file)]
+    flags, header = f"@{RUNNER / work.kind}_flags.txt", f"{RUNNER / work.kind}.pch"
+    return [compiler(), flags, "-include-pch", header, *_source(work, file)]
 
 
-def gcc(work: Work, file: str, flags: Iterable[str] = ()) -> list[str]:
+def gcc(work: Work, file: str) -> list[str]:
     """Used for what clang rejects: code that a student's own compiler accepts must count. If a
     signal ends a program that g++ starts, the exit status tells which."""
-    kind = "gcc_speed_flags" if work.timed else "gcc_flags"
     command = ["/usr/bin/g++", "-wrapper", f"{work.box.enter},step", "-pass-exit-codes"]
-    command += [f"@{RUNNER / kind}.txt", *flags, "-include", str(RUNNER / "prelude.hpp")]
+    command += [f"@{RUNNER}/gcc_{work.kind}_flags.txt", "-include", f"{RUNNER}/prelude.hpp"]
     return [*command, *_source(work, file)]
 
 
@@ -138,8 +135,7 @@ def link_together(work: Work) -> Path | None:
     """Links one runner from all parts; None if one is missing or they don't link."""
     own = [built.path for built in (*work.parts.values(), *work.helpers)]
     is_whole = len(work.parts) == len(parts()) and all(own)
-    name = "timed" if work.timed else "together"
-    return _link(work, name, own).path if is_whole else None
+    return _link(work, f"{work.kind}-together", own).path if is_whole else None
 
 
 def link_alone(part: Part, work: Work) -> Built:
@@ -149,7 +145,7 @@ def link_alone(part: Part, work: Work) -> Built:
     needs. The given parts still come first, and duplicate definitions are allowed.
     """
     helpers = [built.path for built in work.helpers]
-    own, name = [work.parts[part.number].path, *helpers, *_given(part)], f"alone{part.number}"
+    own, name = [work.parts[part.number].path, *helpers, *_given(part)], f"{work.kind}-alone{part.number}"
     alone = _link(work, name, own)
     others = [b.path for number, b in work.parts.items() if number != part.number and b.path]
     if alone.path or not (others or helpers):
@@ -158,47 +154,22 @@ def link_alone(part: Part, work: Work) -> Built:
     return second if second.path else alone
 
 
-def link_sanitized(part: Part, work: Work) -> Built:
-    """Like link_alone, but compiles and links with g++'s sanitizers."""
-    taken, folder, box = work.taken, work.folder, work.box
-    sources = folder / SOURCES
-    taken.write_to(sources)
-    box.give(sources)
-    objects: list[Path] = []
-    for file in [taken.parts[part.number], *taken.helpers]:
-        objects.append(folder / f"checked{part.number}-{len(objects)}.o")
-        command = gcc(work, file, (*SANITIZERS, ALLOCATES_ALIKE))
-        result = run(command, sources, box, objects[-1], by_gcc=True)
-        if not result.ok:
-            return compile_problem(result, file)
-        if sum(path.stat().st_size for path in objects) > HELPERS_BYTES:
-            return too_large(file)
-    kit = [str(RUNNER / f"{name}.o") for name in (*RUNNER_OBJECTS, "sanitizers")]
-    command = ["/usr/bin/g++", *SANITIZERS, *CHECKED_LINK, "-o", "OUTPUT"]
-    command += [*kit, *map(str, [*objects, *_given(part)])]
-    prefix = box.to_build(RUNNER, [RUNNER, *objects])
-    return _linked(prefix + command, folder / f"checked{part.number}", box)
-
-
 def _given(part: Part) -> list[Path]:
     return [RUNNER / f"given_part{number}.o" for number in part.calls]
 
 
 def _link(work: Work, name: str, files: Iterable[Path | None], *flags: str) -> Built:
-    """Links these files with the kit's, by the linker command that clang would run. A runner that
-    is timed goes without the prelude's code: its run-time checks make it slower than the parts'."""
+    """Links these files with the kit's, by the linker command that clang would run."""
     linked, box = [path for path in files if path], work.box
-    kit = RUNNER_OBJECTS if work.timed else KIT_OBJECTS
-    objects = [*flags, *(f"{RUNNER}/{name}.o" for name in kit), *map(str, linked)]
-    command = (RUNNER / "link_command.txt").read_text().splitlines()
+    kit = [f"{RUNNER}/{name}.o" for name in KIT_OBJECTS[work.kind]]
+    objects = [*flags, *kit, *map(str, linked)]
+    of = "sanitized_" if work.kind == "sanitized" else ""
+    command = (RUNNER / f"{of}link_command.txt").read_text().splitlines()
     place = command.index("OBJECTS")
     command[place : place + 1] = objects
     visible = [path for path in linked if path.is_relative_to(CACHE)]
-    return _linked(box.to_build(RUNNER, visible, ()) + command, work.folder / name, box)
-
-
-def _linked(command: list[str], runner: Path, box: Box) -> Built:
-    result = box.run(command, LINK, cwd=RUNNER, output=runner)
+    runner = work.folder / name
+    result = box.run(box.to_build(RUNNER, visible, ()) + command, LINK, cwd=RUNNER, output=runner)
     require_compiler_ran(result)
     if not result.ok or not runner.stat().st_size:
         return of_linker(result.err)

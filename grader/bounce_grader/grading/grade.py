@@ -3,7 +3,7 @@
 import os
 import time
 from contextlib import suppress
-from functools import partial
+from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
@@ -58,7 +58,8 @@ def grade(given: Path | Submission, options: Options = Options()) -> Record:
             _require_working_kit(Box(box.kind))
         speed = _speed(grading) if options.speed else None
         cases, case_records = examples.judged(taken.cases, box)
-        if options.sanitize:
+        if options.sanitize and any(r["score"] == r["max_score"] for r in records):
+            _ = grading.checked  # once, before the parts go on side by side
             records = parallel_map(grading.with_remarks, records, jobs)
     end = time.monotonic()
     seconds = {"compile": built - start, "run": end - built, "total": end - start}
@@ -83,6 +84,11 @@ class _Grading:
         self.own: dict[Part, judging.Judged] = {}
         self.never_called_given: set[Part] = set()  # that is, the part before, which they could
         self.results: dict[Part, judging.Judged | Record] = {}  # a record: nothing could be run
+
+    @cached_property
+    def checked(self) -> Work:
+        """The submission, built with sanitizers."""
+        return judging.sanitized(self.work)
 
     def judge_together(self) -> None:
         """Judges the parts in the runner that holds them all. Parts that call no other come first:
@@ -134,7 +140,7 @@ class _Grading:
         if not isinstance(best, judging.Judged):
             return best
         if best.status == "crashed":
-            best = judging.with_cause(part, best, self.work, self.hidden)
+            best = judging.with_cause(part, best, lambda: self.checked, self.hidden)
         graded = record.part_record(part, best)
         graded["notes"] = self._shared_with_a_wrong_part(part, best)
         path = self.work.parts[part.number].path
@@ -163,7 +169,7 @@ class _Grading:
         """The record of a part; if it has all points, with what the sanitizers find in it."""
         if graded["score"] < graded["max_score"]:
             return graded
-        found = judging.remark(parts()[graded["part"] - 1], self.work)
+        found = judging.remark(parts()[graded["part"] - 1], self.checked)
         return record.with_remark(graded, *found) if found else graded
 
     def _could_be_better(self, part: Part) -> bool:
@@ -232,7 +238,7 @@ def _speed(grading: _Grading) -> Record:
     measured: Record = {"largest_error": largest}
     with suppress(Overrun):
         if grading.together:
-            work = compile_all(grading.work._replace(timed=True))
+            work = compile_all(grading.work._replace(kind="speed"))
             if timed := link_together(work):
                 measured |= speed.measure(timed, work.box) or {}
     return measured

@@ -11,9 +11,18 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
-from bounce_grader.build.toolchain import link_sanitized, Work
+from bounce_grader.build.compile import (
+    compile_all,
+    contents_of,
+    is_there,
+    place_of,
+    store,
+    toolchain_digest,
+)
+from bounce_grader.build.toolchain import link_alone, Work
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import first_few, in_one_line, printable_name, printable_text
+from bounce_grader.common.files import digest
 from bounce_grader.common.manifest import Part
 from bounce_grader.common.paths import FIXTURES, JUDGE, SENTENCES, SOURCES, WORK_FOLDER
 from bounce_grader.sandbox import processes
@@ -24,14 +33,13 @@ from bounce_grader.submission.submission import Place
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 WAIT = processes.Limits(60, 300, memory=4 << 30, file_size=LARGEST_FILE, output=1 << 20)
 IN_SOURCES = re.compile(
-    rf"[^/]{{1,50}}/{SOURCES}(?:-[0-9a-f]{{16}})?/(.{{1,255}}?):(\d{{1,9}})(?!\d)"
+    rf"[^/]{{1,50}}/{SOURCES}-[0-9a-f]{{16}}/(.{{1,255}}?):(\d{{1,9}})(?!\d)"
 )
 MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # for all runners of a part together
-SANITIZED_CPU_SECONDS, SANITIZED_SECONDS = 20.0, 80.0  # for one part
+SANITIZED_CPU_SECONDS, SANITIZED_SECONDS = 20.0, 80.0  # to build all parts, or to run one
 MARGIN = 5.0  # s, to stop it
-# In a runner of all parts, or of this one with given earlier parts; the last has sanitizers, and its
-# wrong answers aren't explained.
-How = Literal["together", "alone", "sanitized"]
+# In a runner of all parts, or of this one with given earlier parts.
+How = Literal["together", "alone"]
 Facts = dict[str, Any]
 
 
@@ -103,16 +111,15 @@ def which_counts(part: Part, own: Judged | None, given: Judged | None) -> Judged
 def judge(part: Part, how: How, work: Work, runner: Path, hidden: Path | None) -> Judged:
     """Judges a part; without `hidden`, on the public cases alone. Checks that the grading has no
     time left for fail. Raises KitError if the judge fails or doesn't name every check."""
-    box, sanitized = work.box, how == "sanitized"
+    box, sanitized = work.box, work.kind == "sanitized"
     cpu, wall = box.budget.left()
-    given = how != "together" and bool(part.calls)
     asked = {
         "part": part.number,
         "fixtures": [str(FIXTURES / "public"), *([str(hidden)] if hidden else [])],
-        "given": given,
-        "backwards": how == "alone",
+        "given": how == "alone" and bool(part.calls),
+        "backwards": how == "alone" and not sanitized,
         "sanitized": sanitized,
-        "recognise": how == "alone",
+        "recognise": how == "alone" and not sanitized,
         "boxed": box.kind != "none",
         "cpu_seconds": max(1, int(min(cpu, MOST_CPU_SECONDS))),
         "seconds": max(1, int(min(wall, MOST_SECONDS))),
@@ -183,7 +190,28 @@ def place_in(lines: bytes, is_submitted: Callable[[str], bool] = bool) -> Place 
 # --- with sanitizers ---
 
 
-def with_cause(part: Part, judged: Judged, work: Work, hidden: Path | None) -> Judged:
+def sanitized(work: Work) -> Work:
+    """The same submission, built with sanitizers. Nothing is built where that can't be done: the
+    score is valid without what they find."""
+    box, none = work.box, work._replace(kind="sanitized", parts={}, helpers=())
+    if box.kind != "full":
+        return none
+    with suppress(KitError, Overrun):
+        limited = box.budget.part(*_limits(work), "building with sanitizers")
+        built = compile_all(none._replace(box=box._replace(budget=limited)))
+        return built._replace(box=box)
+    return none
+
+
+def _limits(work: Work) -> tuple[float, float]:
+    """The CPU seconds and seconds that are left for sanitizers."""
+    cpu, wall = (left - MARGIN for left in work.box.budget.left())
+    return min(cpu, SANITIZED_CPU_SECONDS), min(wall, SANITIZED_SECONDS)
+
+
+def with_cause(
+    part: Part, judged: Judged, checked: Callable[[], Work], hidden: Path | None
+) -> Judged:
     """The same verdicts; those about crashes that no assertion explains also say what the
     sanitizers found, if anything."""
     unclear = {
@@ -191,7 +219,7 @@ def with_cause(part: Part, judged: Judged, work: Work, hidden: Path | None) -> J
         for id, verdict in judged.verdicts.items()
         if verdict.status == "crashed" and (verdict.ended or {}).get("what") != "assertion"
     }
-    again = _again(part, work, hidden) if unclear else {}
+    again = _again(part, checked(), hidden) if unclear else {}
     found = {id: _found_in(again[id]) for id in unclear if id in again}
     named = {id: unclear[id]._replace(found=kind) for id, kind in found.items()}
     return judged._replace(verdicts=judged.verdicts | named)
@@ -206,9 +234,24 @@ def _found_in(verdict: Verdict) -> str:
     return str(ended["text"]) if is_known else ""
 
 
-def remark(part: Part, work: Work) -> tuple[Facts, Place | None] | None:
-    """What the sanitizers find in a part with all points, in public cases, and where, or None."""
-    again = _again(part, work, None)
+def remark(part: Part, checked: Work) -> tuple[Facts, Place | None] | None:
+    """What the sanitizers find in a part with all points, in public cases, and where, or None. It
+    is kept, and looked for again only if something changed that it depends on."""
+    objects = [str(b.path) for b in (checked.parts.get(part.number), *checked.helpers) if b]
+    cases = [(f.name, f.stat().st_mtime_ns) for f in sorted((FIXTURES / "public").iterdir())]
+    made_from = [toolchain_digest(), JUDGE.stat().st_mtime_ns, part.number, objects, cases]
+    place = place_of(digest("remark", *made_from))
+    if is_there(place):
+        found, at = json.loads(contents_of(place))
+        return (found, Place(*at) if at else None) if found else None
+    again = _again(part, checked, None)
+    made = _remark(part, again)
+    if again and not any(verdict.status == "timed_out" for verdict in again.values()):
+        store(json.dumps(made or [None, None]).encode(), place)
+    return made
+
+
+def _remark(part: Part, again: dict[str, Verdict]) -> tuple[Facts, Place | None] | None:
     for verdict in again.values():
         if kind := _found_in(verdict):
             return fact("found", str(verdict.place or part.file), kind), verdict.place
@@ -219,15 +262,14 @@ def remark(part: Part, work: Work) -> tuple[Facts, Place | None] | None:
     return None
 
 
-def _again(part: Part, work: Work, hidden: Path | None) -> dict[str, Verdict]:
+def _again(part: Part, checked: Work, hidden: Path | None) -> dict[str, Verdict]:
     """The verdicts with sanitizers and given parts, on the public cases alone where no folder of
-    hidden ones is given. Empty where that can't be done: the score is valid without them."""
-    box = work.box
-    cpu, wall = (left - MARGIN for left in box.budget.left())
-    limited = box.budget.part(min(cpu, SANITIZED_CPU_SECONDS), min(wall, SANITIZED_SECONDS))
-    work = work._replace(box=box._replace(budget=limited))
+    hidden ones is given. Empty where they can't be had."""
+    limited = checked.box.budget.part(*_limits(checked))
+    work = checked._replace(box=checked.box._replace(budget=limited))
     with suppress(KitError, Overrun):
-        built = link_sanitized(part, work) if box.kind == "full" else None
-        if built and built.path:
-            return judge(part, "sanitized", work, built.path, hidden).verdicts
+        if part.number in work.parts and work.parts[part.number].path:
+            built = link_alone(part, work)
+            if built.path:
+                return judge(part, "alone", work, built.path, hidden).verdicts
     return {}

@@ -34,7 +34,7 @@ def _new() -> bytes:
 
 def test_the_header_is_precompiled_anew_after_an_upgrade_of_what_it_reads() -> None:
     """Else clang refuses it, and everything goes the slow way through g++."""
-    words = (RUNNER / "prelude.pch.d").read_text().split()
+    words = (RUNNER / "graded.pch.d").read_text().split()
     headers = {os.path.realpath(word) for word in words if word.startswith("/usr/")}
     found = subprocess.run(["dpkg", "-S", *headers], capture_output=True, text=True).stdout
     packages = {line.partition(": ")[0] for line in found.splitlines()}
@@ -79,7 +79,7 @@ def test_what_was_compiled_without_a_box_is_not_taken_in_one(tmp_path: Path) -> 
 
 
 def test_a_changed_kit_makes_other_objects(monkeypatch: Patch, tmp_path: Path) -> None:
-    for name in ("prelude.pch", "solve_lcp.o"):
+    for name in ("graded.pch", "solve_lcp.o"):
         (tmp_path / name).write_bytes(b"")
     monkeypatch.setattr(compiling, "RUNNER", tmp_path)
     digest = compiling.toolchain_digest.__wrapped__
@@ -208,7 +208,7 @@ def test_the_signal_that_ends_a_child_of_gcc_is_known(kind: str, tmp_path: Path)
         work = Path(name)
         slow.write_to(work)
         box.give(work)
-        gcc = toolchain.gcc(Work(slow, work, box), "part1_contacts.cpp", endless)
+        gcc = toolchain.gcc(Work(slow, work, box), "part1_contacts.cpp")
         limits = toolchain.COMPILE._replace(cpu_seconds=1)
-        ended = run([*box.to_build(work, [CONTRACT, RUNNER]), *gcc], limits)
+        ended = run([*box.to_build(work, [CONTRACT, RUNNER]), *gcc, *endless], limits)
     assert ended.boxed and ended.code == 128 + 9 and ended.cpu_seconds > 0.4, ended

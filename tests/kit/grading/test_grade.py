@@ -161,7 +161,7 @@ def test_what_the_compiler_can_see_was_made_without_the_solution() -> None:
     assert not any(name.startswith("part") for name in names), names
     for file in RUNNER.iterdir():
         assert str(ROOT / "solution").encode() not in file.read_bytes(), file.name
-    for name in ("prelude.pch", "given_part1.o.d"):
+    for name in ("graded.pch", "given_part1.o.d"):
         assert str(CONTRACT / "bounce" / "types.hpp").encode() in (RUNNER / name).read_bytes()
 
 

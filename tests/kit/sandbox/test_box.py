@@ -113,7 +113,7 @@ def test_no_box_takes_threads_from_another(place: str, number: str, could: bool)
 @pytest.mark.parametrize("kind", ["full", "reduced", "none"])
 def test_a_file_that_fills_the_disk_is_the_kits_fault(kind: str, monkeypatch: Patch) -> None:
     monkeypatch.setattr(os, "fchmod", lambda *_: None)  # of the device below
-    copy = ["/usr/bin/cp", "clang_flags.txt", "OUTPUT"]
+    copy = ["/usr/bin/cp", "graded_flags.txt", "OUTPUT"]
     command = [*Box(kind).to_build(RUNNER, [], ("cp",)), *copy]
     with pytest.raises(OSError) as full:
         processes.run(command, output=Path("/dev/full"))
