@@ -19,6 +19,7 @@ from typing import NamedTuple
 from bounce_grader.build.toolchain import COMPILE, compiler
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.paths import JUDGE, PROBE, ROOT
+from bounce_grader.common.progress import Progress
 from bounce_grader.grading.self_check import problem_of_judge
 from bounce_grader.sandbox import processes
 from bounce_grader.sandbox.box import FULL_OR_REDUCED, problem_of, Box
@@ -57,8 +58,10 @@ def findings() -> list[Finding]:
     with _bait() as protections, tempfile.TemporaryDirectory(prefix="bounce-doctor-") as name:
         folder, found = Path(name), list[Finding]()
         Box("full").give(folder)
-        for kind, place in (*product(["full"], PLACES), *product(["reduced"], PLACES[:2])):
-            found += _in_box(Box(kind), place, folder, protections)
+        boxes = (*product(["full"], PLACES), *product(["reduced"], PLACES[:2]))
+        progress = Progress(len(boxes), "boxes tried")
+        for kind, place in boxes:
+            found += progress.after(list(_in_box(Box(kind), place, folder, protections)))
         return found
 
 

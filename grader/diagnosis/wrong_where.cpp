@@ -2,6 +2,8 @@
 
 namespace bounce::tests {
 
+constexpr std::size_t kMostTraits = 3;  // a list of more tells nothing apart
+
 Patterns where(const WrongPart& part, const std::vector<Number>& numbers) {
   using Questions = Eigen::Array<bool, Eigen::Dynamic, 1>;
   const auto count = static_cast<Eigen::Index>(part.cases.size());
@@ -25,7 +27,7 @@ Patterns where(const WrongPart& part, const std::vector<Number>& numbers) {
       if (of == &row && (is == fewest).all()) traits.push_back(trait);
     }
   }
-  if (traits.empty() || 4 * wrong.count() < 3 * fewest.count()) return {};
+  if (traits.empty() || traits.size() > kMostTraits || 4 * wrong.count() < 3 * fewest.count()) return {};
   const std::string all = std::to_string(fewest.count()), some = std::to_string(wrong.count());
   Words words, ids;
   for (const Alternative& trait : traits) {

@@ -60,8 +60,10 @@ Question question_from(const json& asked) {
   Question question;
   for (const auto& [name, x] : asked.items())
     if (name != "params") question.input.push_back(asked_value(name, x));
-  for (const auto& [name, x] : asked.at("params").items())
-    question.parameters.push_back(asked_value(name, x));
+  // In the assignment's order, which a record doesn't keep.
+  const json& params = asked.at("params");
+  for (const char* name : {"l", "m", "mu", "epsilon", "g", "dt", "delta", "T"})
+    if (params.contains(name)) question.parameters.push_back(asked_value(name, params.at(name)));
   return question;
 }
 

@@ -145,7 +145,11 @@ def link_alone(part: Part, work: Work) -> Built:
     needs. The given parts still come first, and duplicate definitions are allowed.
     """
     helpers = [built.path for built in work.helpers]
-    own, name = [work.parts[part.number].path, *helpers, *_given(part)], f"{work.kind}-alone{part.number}"
+    own, name = [
+        work.parts[part.number].path,
+        *helpers,
+        *_given(part),
+    ], f"{work.kind}-alone{part.number}"
     alone = _link(work, name, own)
     others = [b.path for number, b in work.parts.items() if number != part.number and b.path]
     if alone.path or not (others or helpers):

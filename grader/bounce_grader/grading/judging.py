@@ -32,9 +32,7 @@ from bounce_grader.submission.submission import Place
 
 SYMBOLS = processes.Limits(cpu_seconds=5, wall_seconds=30, memory=1 << 30, file_size=0)
 WAIT = processes.Limits(60, 300, memory=4 << 30, file_size=LARGEST_FILE, output=1 << 20)
-IN_SOURCES = re.compile(
-    rf"[^/]{{1,50}}/{SOURCES}-[0-9a-f]{{16}}/(.{{1,255}}?):(\d{{1,9}})(?!\d)"
-)
+IN_SOURCES = re.compile(rf"[^/]{{1,50}}/{SOURCES}-[0-9a-f]{{16}}/(.{{1,255}}?):(\d{{1,9}})(?!\d)")
 MOST_CPU_SECONDS, MOST_SECONDS = 30, 200  # for all runners of a part together
 SANITIZED_CPU_SECONDS, SANITIZED_SECONDS = 20.0, 80.0  # to build all parts, or to run one
 MARGIN = 5.0  # s, to stop it

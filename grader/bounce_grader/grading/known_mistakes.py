@@ -10,7 +10,6 @@ import json
 import math
 import os
 import re
-from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -21,13 +20,15 @@ from bounce_grader.common.files import write_whole
 from bounce_grader.common.manifest import part_of, parts, Part
 from bounce_grader.common.parallel_map import parallel_map
 from bounce_grader.common.paths import JUDGE, REFERENCE_RUNNER, ROOT
+from bounce_grader.common.progress import Progress
 from bounce_grader.grading.record import MISTAKE_FIELDS
 from bounce_grader.sandbox import processes
-from bounce_grader.sandbox.box import LARGEST_FILE, Box
+from bounce_grader.sandbox import box as boxes
+from bounce_grader.sandbox.box import LARGEST_FILE
 from bounce_grader.submission import submission
 
 GALLERY = ROOT / "tests" / "submissions" / "mistakes"
-TRUSTED = Box("none")  # the gallery is the kit's own
+ANY_BOX = (*boxes.FULL_OR_REDUCED, "none")  # the gallery is the kit's own; as gradings compile it
 LIMITS = processes.Limits(20, 120, memory=4 << 30, file_size=LARGEST_FILE, output=64 << 20)
 DIGITS = 12  # significant ones
 LAYOUT = re.compile(
@@ -104,7 +105,7 @@ def answers(part: Part, runner: Path, cases: Path) -> Answers:
 
 def _of_mistake(mistake: Mistake, cases: Path) -> Answers:
     """The answers of a mistake's file alone, which is built for this."""
-    with compiled(submission.read(GALLERY / mistake.name), TRUSTED) as work:
+    with compiled(submission.read(GALLERY / mistake.name), boxes.choose(ANY_BOX)) as work:
         linked = link_alone(mistake.part, work)
         if not linked.path:
             raise KitError(f"{mistake.name} can't be built: {linked.problem}")
@@ -120,7 +121,12 @@ def write(public: Path) -> None:
     """Writes the folder mistakes beside the cases in a folder. Of mistakes with the same answers all
     but one have to name that one in "recognised_as": the judge would name none of them."""
     mistakes = gallery()
-    got = parallel_map(partial(_of_mistake, cases=public), mistakes, os.cpu_count() or 1)
+    progress = Progress(len(mistakes), "mistakes built and asked")
+
+    def ask(mistake: Mistake) -> Answers:
+        return progress.after(_of_mistake(mistake, public))
+
+    got = parallel_map(ask, mistakes, os.cpu_count() or 1)
     for part in parts():
         right = _rounded(answers(part, REFERENCE_RUNNER, public))
         told = [

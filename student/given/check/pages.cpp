@@ -1,3 +1,4 @@
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 
@@ -45,7 +46,7 @@ std::string write_page(const std::string& name, bool is_wrong, const std::string
 }
 
 std::string measured(const Run& run) {
-  std::cout << dim("Measuring what your program is worth: some seconds, once after a change.")
+  std::cout << dim("Measuring what your program is worth: this takes a minute or less.")
             << std::endl;
   fs::remove("study.html");  // one of another program
   if (!build_programs({"study", "optimised_test"})) {
@@ -55,20 +56,31 @@ std::string measured(const Run& run) {
   return write_page("study", run.first_part, "fixtures/study.json");
 }
 
+// "29 November at 14:05"
+std::string this_minute() {
+  const std::time_t now = std::time(nullptr);
+  char text[60];
+  std::strftime(text, sizeof text, "%d %B at %H:%M", std::localtime(&now));
+  return text;
+}
+
 }  // namespace
 
-void study(const Run& run, bool whole) {
-  const bool is_there = fs::exists("study.html");
-  const std::string verdict = once_after_a_change("verdict", is_there, [&] {
-    whole = true;
-    return measured(run);
-  });
-  std::cout << heading("What your program is worth");
-  if (!whole) {
-    std::cout << " is in study.html, as before; ./check --study says it again.\n";
+void study(const Run& run, bool is_asked) {
+  const fs::path last = kWork / "verdict_found.txt";  // when it was, and of what
+  const std::string when = read(last), sources = state_of_sources();
+  if (!is_asked && !when.empty() && fs::exists("study.html")) {
+    const std::string at = when.substr(0, when.find('\n'));
+    const bool is_of_these = when.substr(at.size() + 1) == sources;
+    std::cout << heading("What your program is worth") << " is in study.html, measured on " << at
+              << (is_of_these ? "" : ", before your last change") << ".\n./check --study measures "
+              << "it again.\n";
     return;
   }
-  std::cout << ", with charts in study.html and questions in explore.html:\n";
+  const std::string verdict = measured(run);
+  write(last, this_minute() + "\n" + sources);
+  std::cout << heading("What your program is worth")
+            << ", with charts in study.html and questions in explore.html:\n";
   for (const std::string& line : lines_of(verdict)) {
     const std::size_t tab = line.find('\t');
     std::string text = folded(line.substr(tab + 1), 66, std::string(14, ' '));

@@ -24,10 +24,10 @@ inline constexpr int kStages = 3;
 // Failure.
 void write_record(const Run& run, const std::string& file);
 
-// Measures the program, writes study.html, and prints the verdict; where nothing changed since, it
-// is only printed, and only if it is wanted `whole`. Throws Failure if the program doesn't get to
-// its end, or gives other numbers when it is optimised.
-void study(const Run& run, bool whole);
+// Measures the program, writes study.html, and prints the verdict: the first time, and where it is
+// asked for. Else says when that was done. Throws Failure if the program doesn't get to its end, or
+// gives other numbers when it is optimised.
+void study(const Run& run, bool is_asked);
 
 // Asks part 2 about measured impacts, says how far it is off, and writes real.html. Throws Failure
 // as study does.

@@ -60,7 +60,13 @@ def test_whatever_is_said_the_record_stays_json(text: str, names: list[str], sta
 
 def failure(**changes: Any) -> dict[str, Any]:
     """Facts of a check whose third of nine cases is wrong."""
-    facts: dict[str, Any] = {"cases": 9, "wrong": 2, "ended_at": 0, "again": False, "always_zero": False}
+    facts: dict[str, Any] = {
+        "cases": 9,
+        "wrong": 2,
+        "ended_at": 0,
+        "again": False,
+        "always_zero": False,
+    }
     facts |= {"name": "x", "input": [{"name": "v", "rows": [[1]], "unit": "m"}], "parameters": []}
     return facts | {"hidden": False, "sentence": "", "quantities": []} | changes
 

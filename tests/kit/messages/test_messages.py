@@ -58,7 +58,7 @@ SENTENCES: Sentences = {
 
 @pytest.mark.parametrize("flooded", [False, True])
 def test_what_addr2line_says_counts_if_it_ended_in_order(flooded: bool, monkeypatch: Patch) -> None:
-    line = f"/tmp/{WORK_FOLDER}a1b2/sources/part1_contacts.cpp:12\n".encode()
+    line = f"/tmp/{WORK_FOLDER}a1b2/sources-0123456789abcdef/part1_contacts.cpp:12\n".encode()
     result = Result(0, 0.0, line, "", False, flooded)
     monkeypatch.setattr(processes, "run", lambda *_: result)
     taken = Submission("", {"part1_contacts.cpp": b""}, {}, {})

@@ -31,7 +31,13 @@ from bounce_grader.sandbox.budget import Budget
 from bounce_grader.submission.submission import Submission
 
 # A failed hidden case, and what is right there.
-FAILURE: dict[str, Any] = {"cases": 9, "wrong": 1, "ended_at": 0, "again": False, "always_zero": False}
+FAILURE: dict[str, Any] = {
+    "cases": 9,
+    "wrong": 1,
+    "ended_at": 0,
+    "again": False,
+    "always_zero": False,
+}
 FAILURE |= {"name": "a corner sticks", "hidden": True, "input": [], "parameters": []}
 PHI = {"name": "phi", "unit": "m", "got": [[0.5]], "right": [[False]]}
 FAILURE |= {"sentence": "", "quantities": [PHI]}

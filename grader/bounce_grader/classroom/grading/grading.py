@@ -6,7 +6,6 @@ import os
 import signal
 import sys
 import threading
-import time
 from collections.abc import Generator, Sequence
 from concurrent.futures import as_completed, CancelledError
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
@@ -19,6 +18,7 @@ from bounce_grader.classroom.grading.results import Stamp, Task, Unit
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import terminal
+from bounce_grader.common.progress import Progress
 from bounce_grader.grading.report import NO_REPORT, reports
 
 TO_CLEAN_UP = 3.0  # seconds in which a terminated grading can remove its files
@@ -39,16 +39,10 @@ def grade(
     missing, jobs = list(keyed.values()), jobs or os.cpu_count() or 1
     graded = on_dask(missing, scheduler, unit) if scheduler else in_processes(missing, jobs, unit)
     failed: dict[str, str] = {}
-    start = last = time.monotonic()
+    progress = Progress(len(missing))
     with closing(graded):
-        for done, (task, failure) in enumerate(graded, 1):
-            failed |= {task.key: failure} if failure else {}
-            now, left = time.monotonic(), len(missing) - done
-            if not left or now - last > (5.0 if sys.stderr.isatty() else 15.0):
-                last, rate = now, done / max(now - start, 1e-9)
-                ahead = f", {left / rate:.0f} s left" if left else ""
-                words = f"kit: {done} of {len(missing)} done, {60 * rate:.0f} a minute{ahead}"
-                print(words, file=sys.stderr, flush=True)
+        for task, failure in graded:
+            failed |= progress.after({task.key: failure} if failure else {})
     again = "the kit failed, so run the same command again"
     missing_ones = [("failed", f"{again}: {failed.get(task.key)}") for task in tasks]
     return _summaries(tasks, missing_ones, reveal)
