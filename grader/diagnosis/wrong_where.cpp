@@ -27,7 +27,8 @@ Patterns where(const WrongPart& part, const std::vector<Number>& numbers) {
       if (of == &row && (is == fewest).all()) traits.push_back(trait);
     }
   }
-  if (traits.empty() || traits.size() > kMostTraits || 4 * wrong.count() < 3 * fewest.count()) return {};
+  if (traits.empty() || traits.size() > kMostTraits || 4 * wrong.count() < 3 * fewest.count())
+    return {};
   const std::string all = std::to_string(fewest.count()), some = std::to_string(wrong.count());
   Words words, ids;
   for (const Alternative& trait : traits) {
