@@ -113,7 +113,7 @@ def _student(folder: Path) -> Figures:
     whole: list[float] = []
     until_score: list[float] = []  # wall-clock time
     for part in parts():
-        for words in (["--hint"], []):
+        for words in (("--hint",), ()):
             file = home / "src" / part.file
             file.write_text(file.read_text() + f"// changed {time.time_ns()}\n")
             start = time.monotonic()
