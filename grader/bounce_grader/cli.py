@@ -140,13 +140,17 @@ def _add_class(parser: argparse.ArgumentParser) -> None:
 def _add_study(parser: argparse.ArgumentParser) -> None:
     option = parser.add_argument
     motion = "its motion within a tolerance, the simplest sufficient model, the cheapest method"
-    asked = f"tables to measure; all unless named. Or: simulate SCENE.json, {motion}"
+    asked = f"tables to measure; all unless named. Or: simulate SCENE.json, {motion}. Or: scene, a template"
     option("questions", nargs="*", metavar="QUESTION", help=asked)
     option("--tolerance", metavar="METRES", help="of simulate: the largest error (default: 0.001)")
     file = partial(option, type=given_path)
     file("--json", metavar="FILE", help="of simulate: the motion, and all else")
     file("--picture", metavar="FILE.svg", help="of simulate: the same, drawn")
-    file("--out", metavar="FOLDER", help="what is written (default: docs/studies)")
+    file(
+        "--out",
+        metavar="FOLDER",
+        help="what is written (default: docs/studies, build/kit/quick-study with --quick)",
+    )
     file("--squares", metavar="FILE", help="of the question `measured`: drops of squares")
     file("--ellipses", metavar="FILE", help="of the question `measured`: impacts of ellipses")
     option("--quick", action="store_true", help="fewer rounds and random scenes")

@@ -47,8 +47,16 @@ double within(const Range& range, const std::string& field, double x) {
 json parse(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file)) refuse("the file", "can't be opened");
+  std::vector<std::set<std::string>> keys;  // of the objects that are open
+  const auto note_keys = [&](int, json::parse_event_t event, const json& name) {
+    if (event == json::parse_event_t::object_start) keys.emplace_back();
+    if (event == json::parse_event_t::object_end) keys.pop_back();
+    if (event == json::parse_event_t::key && !keys.back().insert(name).second)
+      refuse(name, "is there twice; take one out");
+    return true;
+  };
   try {
-    return json::parse(in);
+    return json::parse(in, note_keys);
   } catch (const json::exception& problem) {
     const std::string what = problem.what();
     refuse("the file", "can't be read as JSON: " + what.substr(what.find("] ") + 2));
@@ -67,6 +75,7 @@ class Fields {
     if (!object_.contains(name)) refuse(prefix_ + name, "is missing");
     return object_.at(name);
   }
+  bool has(const std::string& name) const { return object_.contains(name); }
   double number(const std::string& name, const Range& range) {
     const json& value = get(name);
     if (!value.is_number()) refuse(prefix_ + name, "must be a number");
@@ -102,6 +111,28 @@ class Fields {
   std::set<std::string> known_;
 };
 
+// Times at which a motion is wanted, unless the scene says it.
+constexpr int kUsualTimes = 21;
+
+// Of a scene that isn't of the study.
+Parameters parameters_of_own(Fields& fields) {
+  Parameters params;
+  const auto given = [&](const char* name, const Range& range, double usual) {
+    return fields.has(name) ? fields.number(name, range) : usual;
+  };
+  params.l = fields.number("l", kAbove0);
+  params.mu = fields.number("mu", kFrom0);
+  params.epsilon = fields.number("epsilon", kShare);
+  params.g = fields.vector("g", {kAny, kAny, kNone});
+  params.m = given("m", kAbove0, params.m);
+  params.delta = given("delta", kFrom0, params.delta);
+  const double until = fields.number("until", kAbove0);
+  params.T = int(given("T", kColumns, kUsualTimes));
+  params.dt = given("dt", kAbove0, until / std::max(1, params.T - 1));
+  if (fields.has("dt")) params.T = int(within(kColumns, "until / dt", until / params.dt)) + 1;
+  return params;
+}
+
 Parameters parameters(const json& object) {
   Fields fields(object, "params", "params.");
   Parameters params;
@@ -129,7 +160,8 @@ ModelLevel level_of(const std::string& name) {
 Scene scene_of(const json& whole, bool of_study) {
   Fields fields(whole, "the file", "");
   Scene scene{};
-  scene.params = parameters(fields.get("params"));
+  const bool is_own = !of_study && !fields.has("params");
+  scene.params = is_own ? parameters_of_own(fields) : parameters(fields.get("params"));
   scene.start = {fields.vector("q", {kAny, kAny, kAngle}), fields.vector("v", {kAny, kAny, kAny})};
   fields.nothing_else({"name", "title", "compare", "least_model", "why"});
   if (of_study) {
@@ -161,6 +193,20 @@ Scene read_scene(const std::filesystem::path& file, bool of_study) {
   } catch (const std::invalid_argument& problem) {
     throw std::invalid_argument(file.string() + ": " + problem.what());
   }
+}
+
+std::vector<std::string> doubts(const Scene& scene) {
+  const double theta = scene.start.q(2), l = scene.params.l, g_y = scene.params.g(1);
+  const double radians = theta / 180 * 3.14159265358979323846;
+  std::vector<std::string> all;
+  if (std::abs(theta) > 4 && std::abs(std::remainder(theta, 1)) < 1e-9)
+    all.push_back("q[2] is " + text_of(theta) + " rad; " + text_of(theta) + " degrees would be " +
+                  text_of(radians, 4) + " rad");
+  if (l >= 10)
+    all.push_back("l is " + text_of(l) + " m; " + text_of(l) + " mm would be " + text_of(l / 1000) +
+                  " m");
+  if (g_y > 0) all.push_back("g[1] is above 0: gravity pulls upwards");
+  return all;
 }
 
 Scenes read_scenes(const std::filesystem::path& folder) {

@@ -31,10 +31,14 @@ struct Scene {
 };
 using Scenes = std::vector<Scene>;
 
-// Reads a scene; of one that is not of the study, params, q and v alone. Throws
-// std::invalid_argument, with a sentence that names the file and the field, if a field is missing,
-// unknown, of the wrong kind, out of range or not finite.
+// Reads a scene; of one that is not of the study, params, q and v alone, or a scene of a user's
+// own, which names what it needs: l, mu, epsilon, g, q, v and until; m, delta, dt and T besides if
+// it likes. Throws std::invalid_argument, with a sentence that names the file and the field, if a
+// field is missing, unknown, there twice, of the wrong kind, out of range or not finite.
 Scene read_scene(const std::filesystem::path& file, bool of_study = true);
+
+// What looks like another unit or another sign than those of the assignment, a sentence each.
+std::vector<std::string> doubts(const Scene& scene);
 
 // Every scene of a folder, by name of the file.
 Scenes read_scenes(const std::filesystem::path& folder);

@@ -108,6 +108,10 @@ void simulate(const std::filesystem::path& file, const std::string& tolerance, s
   const Answer answer = simulate_to(scene, within);
   json whole = json_of(answer, (cpu_ns() - begin) / 1e9);
   whole.update(advise(scene, answer, within));
+  EventReport report;
+  simulate_events<double>(scene.params, motion_of(scene.start), answer.times, {}, &report);
+  whole["impacts"] = report.impacts;
+  whole["doubts"] = doubts(scene);
   out << whole << "\n";
 }
 

@@ -15,9 +15,11 @@ namespace bounce::study {
 //   "methods"  "method", "step" (s) or "tolerance", "error", "ns" (CPU time, the least of a few
 //              runs that take turns) and "within": whether it is within the tolerance, and the next
 //              finer setting, too, so that it isn't by the luck of one step
-// For these it runs every model, and every method from the coarsest setting on, a step from each of
-// the answer's times to the next, until two settings in a row are within the tolerance or a run
-// would take more than 250,000 steps. Errors are the largest at the answer's times, m, with the
+//   "impacts"  how many there are until the horizon
+//   "doubts"   sentences about numbers that look like another unit or sign
+// For the methods it runs every model, and every method from the coarsest setting on, a step from
+// each of the answer's times to the next, until two settings in a row are within the tolerance or a
+// run would take more than 250,000 steps. Errors are the largest at the answer's times, m, with the
 // answer's own bound added: at most this; null where impacts go on without an end.
 //
 // Throws std::invalid_argument for a scene or a tolerance (m) that can't be read, Refusal for what

@@ -5,6 +5,7 @@ import os
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.paths import BUILD
 
 
 def run(options: argparse.Namespace) -> int:
@@ -17,6 +18,11 @@ def run(options: argparse.Namespace) -> int:
             raise UsageError("name one scene: ./kit study simulate SCENE.json")
         tolerance = options.tolerance or "0.001"
         return simulate(Path(scenes[0]), tolerance, options.json, options.picture)
+    if command == "scene":
+        from bounce_study.simulate import TEMPLATE
+
+        print(TEMPLATE)
+        return 0
     if options.tolerance or options.json or options.picture:
         of_simulate = "--tolerance, --json and --picture"
         raise UsageError(f"{of_simulate} are for ./kit study simulate SCENE.json")
@@ -25,7 +31,9 @@ def run(options: argparse.Namespace) -> int:
     files = {n: getattr(options, n) for n in ("squares", "ellipses") if getattr(options, n)}
     if files and options.questions != [study.MEASURED]:
         raise UsageError("--squares and --ellipses are for ./kit study measured")
-    out = (options.out or study.STUDIES).absolute()
+    # Fewer rounds and steps lead to other conclusions, which no page should have that people read.
+    usual = BUILD / "quick-study" if options.quick else study.STUDIES
+    out = (options.out or usual).absolute()
     questions = tuple(options.questions)
     request = study.Request(out, options.quick, options.peers, questions, **files)
     if files and not options.out:  # the committed page is about the committed figures

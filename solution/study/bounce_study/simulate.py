@@ -18,6 +18,19 @@ from bounce_study.style import label, MODELS
 
 PROGRAM = BUILD / "bounce_study"
 REFUSED = 1
+NEEDED = {
+    "asleep": "nothing moves",
+    "ballistic": "nothing touches the ground",
+    "one_normal": "neither friction nor a second corner is needed",
+    "one_friction": "friction is needed, a second corner isn't",
+    "two_normals": "a second corner is needed, friction isn't",
+    "two_frictions": "friction and a second corner are needed",
+}
+TEMPLATE = """{
+  "l": 0.2, "mu": 0.3, "epsilon": 0.5, "g": [0, -9.81, 0],
+  "q": [0, 0.5, 0.3], "v": [2, -1, 0],
+  "until": 0.4
+}"""
 Answer = dict[str, Any]  # what solution/study/simulate.hpp writes
 
 
@@ -40,15 +53,35 @@ def simulate(scene: Path, tolerance: str, out: Path | None, picture: Path | None
     if picture is not None:
         from bounce_study.chart_scene import draw
 
-        side = json.loads(scene.read_text("utf-8"))["params"]["l"]
+        side = _side(scene)
         made.append((picture, draw(answer, side, float(tolerance))))
     for file, data in made:
         try:
             write_whole(file, data)
         except OSError as error:
             raise UsageError(f"{file} can't be written: {error.strerror}") from error
-    print(*_motion(answer), *_models(answer, tolerance), *_methods(answer, tolerance), sep="\n")
+    for doubt in answer["doubts"]:
+        print(f"kit: {doubt}", file=sys.stderr)
+    print(_in_short(answer), *_motion(answer), sep="\n")
+    print(*_models(answer, tolerance), *_methods(answer, tolerance), sep="\n")
     return 0
+
+
+def _side(scene: Path) -> float:
+    read = json.loads(scene.read_text("utf-8-sig"))
+    return float(read.get("params", read)["l"])
+
+
+def _in_short(answer: Answer) -> str:
+    """What to take, in one sentence."""
+    if len(answer["times"]) == 1:
+        return "T is 1, so the scene asks for its start alone."
+    least = next(model["model"] for model in answer["models"] if model["least"])
+    runs = cheapest(answer)
+    steps = [run for run in runs if "step" in run]
+    words = [label(run["method"]) for run in runs[:1] if "step" not in run]
+    words += [f"{label(run['method'])} at a step of {short(run['step'])} s" for run in steps[:1]]
+    return f"{', or '.join(words) or 'No method'}; {NEEDED[least]}."
 
 
 def cheapest(answer: Answer) -> list[Any]:
@@ -75,6 +108,8 @@ def _models(answer: Answer, tolerance: str) -> Iterator[str]:
 
 
 def _methods(answer: Answer, tolerance: str) -> Iterator[str]:
+    if len(answer["times"]) == 1:
+        return
     within = cheapest(answer)
     first = label(within[0]["method"]) if within else "none of these"
     yield f"the cheapest method within {metres(float(tolerance))}: {first}"
@@ -89,4 +124,6 @@ def _methods(answer: Answer, tolerance: str) -> Iterator[str]:
     for method in [name for name in errors if name not in {run["method"] for run in within}]:
         off = metres(max(errors[method][-2:]))  # of one alone it may be luck
         yield f"  {label(method):30}off by {off} at the finest of its settings"
+    if not any("step" in run for run in answer["methods"]):
+        yield "  methods with a step weren't run: they take at most 250,000 steps, one from each time"
     yield "  (CPU time of the whole motion, measured just now on this machine)"

@@ -241,7 +241,9 @@ def test_a_motion_has_what_it_promises(tmp_path: Path, capsys: Said) -> None:
     options = ["simulate", str(scene), "--tolerance", "1e-3", "--json", str(out)]
     assert main(["study", *options]) == 0
     answer = json.loads(out.read_text())
-    assert set(answer) == set("times q v method bound horizon seconds models methods".split())
+    assert set(answer) == set(
+        "times q v method bound horizon seconds models methods impacts doubts".split()
+    )
     assert len(answer["times"]) == len(answer["q"]) == len(answer["v"]) == 41
     assert answer["q"][0] == [0, 0.5, 0.3] and answer["horizon"] == answer["times"][-1]
     assert 0 < answer["bound"] <= 1e-3
@@ -272,6 +274,44 @@ def test_a_motion_that_can_not_be_had_is_refused_with_its_horizon(
     options = ("simulate", scene, "--tolerance", "1e-9", "--json", out)
     assert "can be had up to" in refusal(capsys, *options, status=1)
     assert not out.exists()
+
+
+def test_a_scene_of_ones_own_names_what_it_needs(tmp_path: Path, capsys: Said) -> None:
+    assert main(["study", "scene"]) == 0
+    template, out = capsys.readouterr().out, tmp_path / "out.json"
+    scene = written(tmp_path, "\ufeff" + template)  # as Windows' editor writes it
+    files = ["--json", str(out), "--picture", str(tmp_path / "picture.svg")]
+    assert main(["study", "simulate", str(scene), *files]) == 0
+    told, answer = capsys.readouterr(), json.loads(out.read_text())
+    first = (
+        "event-driven, or Moreau–Jean.* at a step of .*; friction is needed, a second corner isn't."
+    )
+    assert re.fullmatch(first, told.out.splitlines()[0]) and told.err == ""
+    assert answer["times"] == pytest.approx([0.4 * k / 20 for k in range(21)])
+    for more in ({"T": 5}, {"dt": 0.1}, {"T": 5, "m": 7, "delta": 0}):
+        own = written(tmp_path, json.loads(template) | more)
+        assert main(["study", "simulate", str(own), *files]) == 0
+        assert len(json.loads(out.read_text())["times"]) == 5
+    alone = written(tmp_path, json.loads(template) | {"T": 1})
+    capsys.readouterr()
+    assert main(["study", "simulate", str(alone)]) == 0
+    assert "none of these" not in (said := capsys.readouterr().out) and "start alone" in said
+
+
+@pytest.mark.parametrize("path, value, doubt", TABLES["own scenes"])
+def test_a_number_in_another_unit_is_doubted(
+    tmp_path: Path, capsys: Said, path: str, value: Any, doubt: str
+) -> None:
+    own = {"l": 0.2, "mu": 0.3, "epsilon": 0.5, "g": [0, -9.81, 0], "until": 0.1}
+    own |= {"q": [0, 500, 0.3], "v": [0, 0, 0]}
+    assert main(["study", "simulate", str(written(tmp_path, changed(own, path, value)))]) == 0
+    assert capsys.readouterr().err == f"kit: {doubt}\n"
+
+
+def test_a_scene_says_how_many_impacts_it_has(tmp_path: Path) -> None:
+    own, out = json.loads((SCENES / "oblique_bounce.json").read_text()), tmp_path / "out.json"
+    assert main(["study", "simulate", str(written(tmp_path, own)), "--json", str(out)]) == 0
+    assert own["why"].startswith("Two impacts") and json.loads(out.read_text())["impacts"] == 2
 
 
 # --- what can't be used ---
