@@ -13,15 +13,16 @@ LEAST = 1e-17
 
 
 def draw(answer: dict[str, Any], side: float, tolerance: float) -> bytes:
-    layout = {"figsize": (12.5, 4.2), "layout": "constrained"}
-    figure, (motion, models, methods) = style.pyplot().subplots(1, 3, **layout)
+    layout = {"figsize": (14.5, 4.2), "layout": "constrained", "width_ratios": [1, 1, 1, 0.55]}
+    figure, (motion, models, methods, key) = style.pyplot().subplots(1, 4, **layout)
     _motion(motion, np.array(answer["q"]), side)
     _models(models, answer["models"], tolerance)
     _methods(methods, answer["methods"])
     for axes, line in ((models, models.axvline), (methods, methods.axvline)):
         line(tolerance, color="black", linewidth=0.8, linestyle=(0, (1, 2)), label="tolerance")
         axes.set(xscale="log", xlabel="error, m")
-    methods.legend(fontsize=6.5)
+    key.axis("off")  # beside the data
+    key.legend(*methods.get_legend_handles_labels(), loc="center left", fontsize=6.5)
     return style.svg(figure)
 
 
@@ -33,6 +34,7 @@ def _motion(axes: Any, q: Any, side: float) -> None:
     axes.plot(q[:, 0], q[:, 1], color=style.VERMILION)
     axes.axhline(0, color="black")
     axes.set(title="the motion, its centre in red", xlabel="x, m", ylabel="y, m", aspect="equal")
+    axes.locator_params(axis="x", nbins=4)  # a high motion leaves little room below it
 
 
 def _models(axes: Any, models: Any, tolerance: float) -> None:
@@ -41,6 +43,11 @@ def _models(axes: Any, models: Any, tolerance: float) -> None:
     shades = np.select([least, errors <= tolerance], ["black", "#bbbbbb"], "white")
     names = [style.MODELS[model["model"]] for model in models]
     axes.barh(names, np.clip(errors, 10 * LEAST, NEVER), left=LEAST, color=shades, ec="black")
+    for place, model in enumerate(models):
+        if model["error"] is None:
+            axes.text(
+                10 * LEAST, place, "its impacts go on without an end", va="center", fontsize=6.5
+            )
     axes.invert_yaxis()
     axes.set(title="models: black the least within, white wrong", xlim=(LEAST, NEVER))
 

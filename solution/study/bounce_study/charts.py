@@ -65,6 +65,7 @@ def speed_accuracy_one(tables: Tables) -> bytes:
     figure, (axes, key) = style.pyplot().subplots(1, 2, figsize=(8.4, 5.0), **layout)
     _time_over_error(axes, runs)
     axes.set(xlabel="error, m", ylabel="CPU time per simulated second, µs")
+    axes.set_title(f"{style.scene_label(README_SCENE)}: left and below is better")
     _legend(key, axes)
     return style.svg(figure)
 

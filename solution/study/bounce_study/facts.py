@@ -12,7 +12,7 @@ from bounce_grader.common.paths import FIXTURES
 from bounce_study import charts, chart_stability
 from bounce_study.numbers import interval, metres, ratio, short, time
 from bounce_study.style import ENGINES, label, METHODS, MODELS, scene_label
-from bounce_study.tables import fastest, FINE, FINEST, Tables, TIME
+from bounce_study.tables import fastest, FINE, FINEST, leaders, Tables, TIME
 
 Facts = dict[str, Any]
 USEFUL = 1e-2  # m: engines with larger errors aren't compared
@@ -45,13 +45,15 @@ def speed(tables: Tables) -> Facts:
         table["takes so many times as long"] = [
             ratio(x) if x == x else "–" for x in by_scene["times"]
         ]
-    leaders = {e: fastest(ours, e).drop_duplicates("scene")["method"] for e in PROBLEMS}
-    wins = pd.DataFrame({e: methods.value_counts() for e, methods in leaders.items()})
-    wins = wins.reindex([name for name in METHODS if name in wins.index]).fillna(0).astype(int)
+    wins = pd.DataFrame({e: leaders(ours, e).value_counts() for e in PROBLEMS})
+    order = [*METHODS, "tie"]
+    wins = wins.reindex([name for name in order if name in wins.index]).fillna(0).astype(int)
     titles = {e: f"within {metres(e, 1)}" for e in wins}
     return {
         "speed": table,
-        "wins": wins.rename(columns=titles, index=label).reset_index(names="fastest in scenes"),
+        "wins": wins.rename(columns=titles, index=_label_or_tie).reset_index(
+            names="fastest in scenes"
+        ),
         "speed_methods": _methods(runs),
         "scenes": len(table),
         "event_driven": list(wins.loc["event_driven"]),
@@ -59,6 +61,10 @@ def speed(tables: Tables) -> Facts:
         "scaled": _reached(runs, "assignment_delta_dt", FINE),
         "runs": len(runs),
     }
+
+
+def _label_or_tie(method: str) -> str:
+    return "none: the next takes at most a tenth longer" if method == "tie" else label(method)
 
 
 def _named(own: Any, place: int) -> str:

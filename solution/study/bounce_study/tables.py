@@ -27,10 +27,21 @@ def read(file: Path) -> Any:
     return table
 
 
+TIE = 1.1  # times of runs that differ by less were measured alike
+
+
 def fastest(runs: Any, within: float) -> Any:
     """Each method's fastest run in a scene with an error of at most `within`, fastest first."""
     reached = runs[runs["error_m"] <= within].sort_values(TIME, kind="stable")
     return reached.drop_duplicates(["scene", "method"])
+
+
+def leaders(runs: Any, within: float) -> Any:
+    """The fastest method in each scene; "tie" where the next one takes hardly longer."""
+    ranked = fastest(runs, within).groupby("scene")
+    first = ranked.nth(0).reset_index().set_index("scene")
+    ahead = ranked[TIME].apply(lambda times: times.iloc[1] / times.iloc[0] if len(times) > 1 else 2)
+    return first["method"].where(ahead.reindex(first.index) > TIE, "tie")
 
 
 def origins(tables: Tables, names: Sequence[str]) -> str:
