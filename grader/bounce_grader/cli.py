@@ -140,7 +140,7 @@ def _add_class(parser: argparse.ArgumentParser) -> None:
 def _add_study(parser: argparse.ArgumentParser) -> None:
     option = parser.add_argument
     motion = "its motion within a tolerance, the simplest sufficient model, the cheapest method"
-    asked = f"tables to measure; all unless named. Or: simulate SCENE.json, {motion}. Or: scene, a template"
+    asked = f"tables to measure; all unless named. Or: simulate SCENE.json, {motion}. Or: scene, a template. Or: bench ADAPTER"
     option("questions", nargs="*", metavar="QUESTION", help=asked)
     option("--tolerance", metavar="METRES", help="of simulate: the largest error (default: 0.001)")
     file = partial(option, type=given_path)

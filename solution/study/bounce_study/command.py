@@ -18,6 +18,12 @@ def run(options: argparse.Namespace) -> int:
             raise UsageError("name one scene: ./kit study simulate SCENE.json")
         tolerance = options.tolerance or "0.001"
         return simulate(Path(scenes[0]), tolerance, options.json, options.picture)
+    if command == "bench":
+        from bounce_study import bench
+
+        if len(scenes) != 1:
+            raise UsageError("name one program: ./kit study bench ADAPTER")
+        return bench.run(Path(scenes[0]), (options.out or BUILD / "bench").absolute())
     if command == "scene":
         from bounce_study.simulate import TEMPLATE
 

@@ -156,7 +156,9 @@ def test_formulas_answer_as_programs(part: Part, drawn: list[Path], tmp_path: Pa
         if not program.startswith(str(part.number)):
             continue
         taken = submission.read(known_mistakes.GALLERY / folder)
-        runner = link_alone(part, compile_all(Work(taken, tmp_path, boxes.choose(known_mistakes.ANY_BOX))))
+        runner = link_alone(
+            part, compile_all(Work(taken, tmp_path, boxes.choose(known_mistakes.ANY_BOX)))
+        )
         assert runner.path
         wrong = answers(part, runner.path, cases, asked)
         lines = [line_of(part, case, wrong[n]) for case, _, n in kept]

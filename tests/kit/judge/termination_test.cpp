@@ -81,7 +81,7 @@ TEST(Termination, KeepsTheStackOfACrashAlone) {
     return by_signal(signal, "stack of the crash:" + addresses + "\n").stack;
   };
   std::string most;
-  for (int i = 0; i < 40; ++i) most += frame;
+  for (int i = 0; i < runner::kFrames; ++i) most += frame;
   EXPECT_EQ(stack(SIGSEGV, frame + frame), frame + frame);
   EXPECT_EQ(stack(SIGSEGV, most), most);
   for (const std::string& none : {most + frame, std::string(" -e /etc/passwd"), frame + " 0x2"}) {
