@@ -361,13 +361,12 @@ def test_the_adapters_to_begin_with_agree(tmp_path: Path) -> None:
     engine = tmp_path / "engine"
     source = ADAPTERS / "adapter.cpp"
     subprocess.run(["g++", "-std=c++20", "-Wall", "-Werror", source, "-o", engine], check=True)
-    asked = {"l": 0.2, "m": 0.3, "mu": 0.3, "epsilon": 0.5, "g": [0, -9.81, 0]}
+    asked: Any = {"l": 0.2, "m": 0.3, "mu": 0.3, "epsilon": 0.5, "g": [0, -9.81, 0]}
     asked |= {"q": [0, 0.3, 0.3], "v": [2, -1, 3], "step": 0.01, "times": [0.1, 0.2, 0.4]}
+    programs = ([str(engine)], ["/usr/bin/python3", str(ADAPTERS / "adapter.py")])
     told = [
-        json.loads(
-            subprocess.run(p, input=json.dumps(asked).encode(), stdout=-1, check=True).stdout
-        )
-        for p in ([engine], ["/usr/bin/python3", str(ADAPTERS / "adapter.py")])
+        json.loads(subprocess.run(p, input=json.dumps(asked), stdout=-1, text=True).stdout)
+        for p in programs
     ]
     for one, other in zip(told[0]["q"], told[1]["q"], strict=True):
         assert one == pytest.approx(other, abs=1e-12)
