@@ -50,7 +50,7 @@ Real value(const Series<Real>& f, int order, Real t) {
 
 // The first time in [0, end] at which a guard becomes negative, or infinity. A guard that is 0 at
 // the start, as when a mode begins, counts only if it falls by at least `still` per second.
-// Otherwise the search passes it by steps that double from 1e-12 s.
+// Otherwise the search passes it, for as long as it is 0, by steps that double from 1e-12 s.
 template <class Real>
 Real first_fall(const Series<Real>& f, int order, Real end) {
   constexpr Real never = std::numeric_limits<Real>::infinity(), still = Real(1e-9);
@@ -72,7 +72,7 @@ Real first_fall(const Series<Real>& f, int order, Real end) {
     const bool falls = slope < -still;
     if (falls && g <= rounding - slope * 4 * std::numeric_limits<Real>::epsilon() * t) return t;
     const Real safe = safe_step(g, slope, curvature);
-    if (!falls && safe < least) {
+    if (!falls && g <= rounding && safe < least) {
       t += least;
       least *= 2;
     } else {

@@ -1,6 +1,6 @@
-// Reads scenes from standard input, a line of 12 numbers each: l, mu, epsilon, g_x, g_y, x, y, theta,
-// v_x, v_y, omega and until. Prints what simulate_to promises of the motion then: x, y, theta and the
-// bound; or "refused".
+// Reads scenes from standard input, a line of 12 numbers each: l, mu, epsilon, g_x, g_y, x, y,
+// theta, v_x, v_y, omega and until. Prints what simulate_to promises of the motion then: x, y,
+// theta and the bound; or "refused".
 #include <cstdio>
 #include <iostream>
 

@@ -177,6 +177,24 @@ TEST(exact, TipsOverTheLowerCorner) {
   }
 }
 
+// A corner slips so slowly that its speed is a double root, and stops again within the same series.
+// x is what second_truth.f90 found.
+TEST(exact, StopsSlidingAfterASlowSlip) {
+  Case c;
+  c.params = {.l = 0.6335838661091093,
+              .m = 1,
+              .mu = 0.06789676678315267,
+              .epsilon = 0.009136186274646069,
+              .g = {1.8380221630178086, -9.63627389234321, 0}};
+  c.start = {0,
+             0.8271743191829698,
+             1.566767595363154,
+             1.1539143202142776,
+             -2.216357298000254,
+             3.9078457395137214};
+  EXPECT_NEAR(motion_at(c, {0.5607636930258885}).back().x, 0.8073283149563616672, 1e-12);
+}
+
 // --- what is known in closed form, or has no end ---
 
 Motions motions(const Parameters& params, const Motion<double>& start,
