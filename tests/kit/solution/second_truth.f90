@@ -3,6 +3,7 @@
 !   l mu epsilon g_x g_y x y theta v_x v_y omega until
 ! and prints  x y theta v_x v_y omega  at `until`, or  refused REASON.
 ! Optional arguments (for self-tests): Taylor order, Taylor tolerance, flat tolerance, Zeno cut.
+! Chaotic scenes: run again with `60 1e-34`; digits that differ are beyond quadruple precision.
 !
 ! Formulation: theta = k*pi/2 + tr with |tr| <= pi/4, so only two corners can be lowest:
 ! 0 (lower left, tr >= 0) and 1 (lower right, tr <= 0); corners are numbered counter-clockwise.
@@ -32,19 +33,10 @@ module world
   character(16) :: reason
 contains
 
-  ! corner offset from the centre: corner j is corner 0 after j quarter turns
-  pure real(q) function off_x(j)
+  pure complex(q) function offset(j)              ! corner j from the centre, as x + i y
     integer, intent(in) :: j
-    real(q) :: c, s
-    c = cos(tr); s = sin(tr)
-    off_x = 0.5_q*l*merge(merge(s - c, c - s, j == 0), merge(c + s, -c - s, j == 1), mod(j, 2) == 0)
-  end function
-
-  pure real(q) function off_y(j)
-    integer, intent(in) :: j
-    real(q) :: c, s
-    c = cos(tr); s = sin(tr)
-    off_y = 0.5_q*l*merge(merge(-c - s, c + s, j == 0), merge(s - c, c - s, j == 1), mod(j, 2) == 0)
+    complex(q), parameter :: at_zero(0:3) = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    offset = 0.5_q*l*at_zero(j)*cmplx(cos(tr), sin(tr), q)
   end function
 
   pure real(q) function speed_scale()
@@ -145,25 +137,18 @@ contains
         if (f == 0 .and. f1 == 0 .and. abs(f2) <= cv%atiny) then
           ! leaves zero with a higher derivative only: the cubic bound needs a start
           if (cv%is_poly) then
-            m = 0
-            do while (cv%c(m) == 0 .and. m < cv%n)
-              m = m + 1
-            end do
+            m = min(cv%n, count([(all(cv%c(0:k) == 0), k = 0, cv%n)]))   ! first that is not zero
             found = cv%c(m) < 0
-            rest = 0
-            do k = m + 1, cv%n
-              rest = rest + abs(cv%c(k))*span**(k - m - 1)
-            end do
+            rest = sum([(abs(cv%c(k))*span**(k - m - 1), k = m + 1, cv%n)])
             if (found .or. 2*rest*span <= cv%c(m)) return
             s = 0.5_q*cv%c(m)/rest
           else
             if (cv%w == 0) return                 ! rests at the height of the ground, nothing bends it
             jerk = -cv%w**3*cv%rx
             if (jerk <= 0) call refuse('degenerate')
-            if (jerk <= 0) return
             s = 2*jerk/(cv%w**4*l)
           end if
-          if (s >= span) return
+          if (s >= span .or. reason /= '') return
           cycle
         end if
         found = f == 0 .and. (f1 < 0 .or. (f1 == 0 .and. f2 < 0))
@@ -175,9 +160,9 @@ contains
         f = 0                                     ! rounding only: steps are one-sided
       end if
       if (f1 < 0) then
-        ds = -2*f/f1                              ! f' certainly stays < f'/2 on [0, ds]: plain Newton
-        if ((max(f2, 0.0_q) + cv%third*ds)*ds < -0.5_q*f1) then
-          do k = 1, 200
+        ds = -2*f/f1                              ! f' certainly changes by less than half on [0, ds]:
+        if ((abs(f2) + cv%third*ds)*ds < -0.5_q*f1) then   ! plain Newton converges quadratically
+          do k = 1, 12
             ds = -f/f1; s = s + ds
             if (abs(ds) <= 1.0e-34_q*s) exit
             call eval(cv, s, f, f1, f2)
@@ -203,15 +188,12 @@ contains
     integer, intent(out) :: nsol, sg
     real(q), intent(out) :: f(2), ft
     real(q) :: a(2,2), b(2), c, ae(2,2), be(2), p(2), w(2), pt, wt, tol, det, slip
-    integer :: i, k, set, dir
+    integer :: i, set, dir
     nsol = 0; f = 0; ft = 0; sg = 0
     do i = 1, n
-      do k = 1, n
-        a(i,k) = 1 + rx(i)*rx(k)/rho2
-      end do
-      b(i) = -rx(i)*ry/rho2
+      a(i,1:n) = 1 + rx(i)*rx(1:n)/rho2
     end do
-    c = 1 + ry*ry/rho2
+    b = -rx*ry/rho2; c = 1 + ry*ry/rho2
     tol = 1.0e-30_q*(maxval(abs(bn(1:n))) + abs(bt))
     do dir = 0, 2                                 ! stick, slide +, slide -
       slip = real(merge(-1, dir, dir == 2), q)
@@ -255,7 +237,7 @@ contains
     real(q) :: rx(2), ry(2), vn(2), u, bn(2), e, f(2), ft, vt, bt
     n = merge(2, 1, tr == 0); ids = [merge(0, 1, tr >= 0), 1]
     do i = 1, n
-      rx(i) = off_x(ids(i)); ry(i) = off_y(ids(i)); vn(i) = vy + om*rx(i)
+      rx(i) = real(offset(ids(i))); ry(i) = aimag(offset(ids(i))); vn(i) = vy + om*rx(i)
     end do
     vt = noise*speed_scale()
     u = vx - om*ry(1)
@@ -268,8 +250,7 @@ contains
         bn(i) = vn(i) + e*min(vn(i), 0.0_q)
       end do
       call lcp(n, rx, ry(1), bn, u, 0, nsol, f, ft, sg)
-      if (nsol == 0) call refuse('nosolution')
-      if (nsol > 1) call refuse('ambiguous')
+      if (nsol /= 1) call refuse(merge('nosolution', 'ambiguous ', nsol == 0))
       if (reason /= '') return
       vx = vx + ft; vy = vy + sum(f(1:n)); om = om + (sum(rx(1:n)*f(1:n)) - ry(1)*ft)/rho2
       u = vx - om*ry(1)
@@ -308,38 +289,34 @@ contains
   ! ------------------------------------------------------------------ the three kinds of motion
   subroutine fly()
     type(curve) :: cv
-    real(q) :: span, s, best, low, h(0:3), grow
+    real(q) :: s, best, low, h(0:3), grow
     integer :: j, jj, hit, n
     logical :: found
-    span = until - t
-    cv%is_poly = .false.
-    cv%v = vy; cv%g = gy; cv%w = om
-    cv%third = l*sqrt(0.5_q)*abs(om)**3
-    cv%vtiny = noise*speed_scale()
-    cv%atiny = 1.0e-26_q*(g_abs + l*om**2)
+    cv%is_poly = .false.; cv%v = vy; cv%g = gy; cv%w = om; cv%third = l*sqrt(0.5_q)*abs(om)**3
+    cv%vtiny = noise*speed_scale(); cv%atiny = 1.0e-26_q*(g_abs + l*om**2)
     low = max(y - 0.5_q*l*(cos(tr) + abs(sin(tr))), 0.0_q)
     if (grounded) low = 0
     h(0) = low + max(0.0_q, -l*sin(tr)); h(1) = low + max(0.0_q, l*sin(tr))
     h(2) = h(1) + l*cos(tr); h(3) = h(0) + l*cos(tr)
-    best = span; hit = -1
+    best = until - t; hit = -1
     do jj = 0, 3
       j = merge(1 - jj, jj, tr < 0 .and. jj < 2)  ! lowest first, it shortens the search of the others
-      cv%h0 = h(j); cv%rx = off_x(j); cv%ry = off_y(j)
+      cv%h0 = h(j); cv%rx = real(offset(j)); cv%ry = aimag(offset(j))
       grow = best*(abs(vy) + 0.5_q*abs(gy)*best + l*abs(om))
       if (h(j) > grow) cycle                      ! cannot arrive in time
       call first_root(cv, best, s, found)
       if (reason /= '') return
-      if (found) then
-        best = s; hit = j
-      end if
+      hit = merge(j, hit, found); best = merge(s, best, found)
     end do
-    x = x + (vx + 0.5_q*gx*best)*best
-    y = y + (vy + 0.5_q*gy*best)*best
+    x = x + (vx + 0.5_q*gx*best)*best; y = y + (vy + 0.5_q*gy*best)*best
     vx = vx + gx*best; vy = vy + gy*best; tr = tr + om*best; t = t + best
     n = normalise()
     grounded = hit >= 0
     if (grounded) then
-      call settle_on_ground()
+      low = y
+      call settle_on_ground()                     ! and two checks of the program itself
+      if (abs(y - low) > (1.0e-26_q + 2*flat_tol)*(l + best*speed_scale())) call refuse('internal')
+      if (abs(tr) > 1.0e-25_q .and. modulo(hit + n, 4) /= merge(0, 1, tr > 0)) call refuse('internal')
       call resolve()
     else
       t = until
@@ -352,20 +329,16 @@ contains
   end subroutine
 
   subroutine slide_on_side()
-    real(q) :: a, stop_time, rem
-    rem = until - t
-    if (sig == 0) then
-      t = until; vx = 0; return
-    end if
-    a = gx + mu*sig*gy                            ! normal force is -gy
-    stop_time = rem
-    if (mu > 0 .and. a*sig < 0) stop_time = min(rem, -vx/a)
-    x = x + (vx + 0.5_q*a*stop_time)*stop_time
-    if (stop_time < rem) then
-      vx = 0; t = t + stop_time
+    real(q) :: a, time
+    a = merge(0.0_q, gx + mu*sig*gy, sig == 0)    ! normal force is -gy
+    time = until - t
+    if (mu > 0 .and. a*sig < 0) time = min(time, -vx/a)
+    x = x + (vx + 0.5_q*a*time)*time
+    if (time < until - t) then
+      vx = 0; t = t + time
       call resolve()
     else
-      vx = vx + a*stop_time; t = until
+      vx = vx + a*time; t = until
     end if
   end subroutine
 
@@ -373,13 +346,13 @@ contains
   ! the corner, tr, om.  Event functions are polynomials over the step.
   subroutine roll()
     real(q), dimension(0:nmax) :: tx, ty, th, w, u, s, ww, wx, wy, an, at, xx, xy, dd, fn, ft, ac, ut
-    real(q) :: h, rem, best, root, vs, fs, den, sc
+    real(q) :: h, rem, best, root, vs, fs, sc
     type(curve) :: cv
-    integer :: k, n, ev, hit, i
+    integer :: k, n, ev, hit
     logical :: found
     n = order; rem = until - t
-    tx = 0; ty = 0; th = 0; w = 0; u = 0; s = 0
-    tx(0) = off_x(touching); ty(0) = off_y(touching); th(0) = tr; w(0) = om
+    u(0) = 0; ut = 0                              ! stay 0 when sticking
+    tx(0) = real(offset(touching)); ty(0) = aimag(offset(touching)); th(0) = tr; w(0) = om
     vs = speed_scale(); fs = g_abs + l*om**2
     s(0) = x + tx(0)
     if (sig /= 0) u(0) = vx - om*ty(0)
@@ -388,9 +361,8 @@ contains
       wx(k) = conv(w, tx, k); wy(k) = conv(w, ty, k); ww(k) = conv(w, w, k)
       xx(k) = conv(tx, tx, k)/rho2; xy(k) = conv(tx, ty, k)/rho2
       an(k) = -conv(ww, ty, k); at(k) = -conv(ww, tx, k)
-      if (k == 0) then
-        an(0) = an(0) + gy; at(0) = at(0) + gx
-      end if
+      if (k == 0) an(0) = an(0) + gy
+      if (k == 0) at(0) = at(0) + gx
       if (sig == 0) then
         ! a = 1 + xx, b = -xy, c = 4 - xx (corner at distance sqrt(3 rho2)), a c - b b = 4
         fn(k) = -(4*an(k) - conv(xx, an, k) + conv(xy, at, k))/4
@@ -399,22 +371,15 @@ contains
         dd(k) = xx(k) + mu*sig*xy(k)
         if (k == 0) dd(0) = dd(0) + 1
         if (dd(0) <= 0) call refuse('painleve')
-        if (dd(0) <= 0) return
-        fn(k) = -an(k)
-        do i = 0, k - 1
-          fn(k) = fn(k) - fn(i)*dd(k - i)
-        end do
-        fn(k) = fn(k)/dd(0)
+        if (reason /= '') return
+        fn(k) = -(an(k) + dot_product(fn(0:k-1), dd(k:1:-1)))/dd(0)
         ft(k) = -mu*sig*fn(k)
         ut(k) = at(k) - conv(xy, fn, k) + 4*ft(k) - conv(xx, ft, k)
       end if
       ac(k) = (conv(tx, fn, k) - conv(ty, ft, k))/rho2
-      den = real(k + 1, q)
-      tx(k + 1) = -wy(k)/den; ty(k + 1) = wx(k)/den
-      th(k + 1) = w(k)/den; w(k + 1) = ac(k)/den
-      if (sig /= 0) then
-        u(k + 1) = ut(k)/den; s(k + 1) = u(k)/den
-      end if
+      tx(k + 1) = -wy(k)/(k + 1); ty(k + 1) = wx(k)/(k + 1)
+      th(k + 1) = w(k)/(k + 1); w(k + 1) = ac(k)/(k + 1)
+      u(k + 1) = ut(k)/(k + 1); s(k + 1) = u(k)/(k + 1)
     end do
     h = rem
     if (abs(om) > 0) h = min(h, 0.7_q/abs(om))
@@ -426,29 +391,17 @@ contains
     if (h < 1.0e-10_q*rem .and. h*vs < 1.0e-10_q*l) call refuse('painleve')
     best = h; hit = 0
     do ev = 1, 6
+      if ((ev == 1 .and. (sig == 0 .or. mu == 0)) .or. ((ev == 3 .or. ev == 4) .and. sig /= 0)) cycle
       select case (ev)
-      case (1)                                    ! sliding ends
-        if (sig == 0 .or. mu == 0) cycle
-        call set_poly(cv, sig*u(0:n), n, vs)
-      case (2)                                    ! lift-off
-        call set_poly(cv, fn(0:n-1), n - 1, fs)
-      case (3, 4)                                 ! sticking ends
-        if (sig /= 0) cycle
-        call set_poly(cv, mu*fn(0:n-1) + (2*ev - 7)*ft(0:n-1), n - 1, fs)
-      case (5)                                    ! next corner counter-clockwise comes down
-        call set_poly(cv, tx(0:n) - ty(0:n), n, 0.0_q)
-        cv%c(0) = l*merge(sin(tr), cos(tr), touching == 0)
-        call trim_poly(cv, l)
-      case (6)                                    ! the one on the other side
-        call set_poly(cv, -tx(0:n) - ty(0:n), n, 0.0_q)
-        cv%c(0) = l*merge(cos(tr), -sin(tr), touching == 0)
-        call trim_poly(cv, l)
-      end select
+      case (1); call set_poly(sig*u(0:n), vs)                     ! sliding ends
+      case (2); call set_poly(fn(0:n-1), fs)                      ! lift-off
+      case (3, 4); call set_poly(mu*fn(0:n-1) + (2*ev - 7)*ft(0:n-1), fs)   ! sticking ends
+      case (5); call set_poly([l*merge(sin(tr), cos(tr), touching == 0), tx(1:n) - ty(1:n)], l)
+      case (6); call set_poly([l*merge(cos(tr), -sin(tr), touching == 0), -tx(1:n) - ty(1:n)], l)
+      end select                                  ! 5, 6: the corner after, before this one comes down
       call first_root(cv, best, root, found)
       if (reason /= '') return
-      if (found) then
-        best = root; hit = ev
-      end if
+      hit = merge(ev, hit, found); best = merge(root, best, found)
     end do
     h = best
     tr = horner(th, n, h); om = horner(w, n, h)
@@ -460,27 +413,22 @@ contains
       tr = 0; call settle_on_ground()
       touching = merge(0, 1, hit == 5)            ! the old one, seen in the new face
     end if
-    x = horner(s, n, h) - off_x(touching)
-    vx = om*off_y(touching)
+    x = horner(s, n, h) - real(offset(touching))
+    vx = om*aimag(offset(touching))
     if (sig /= 0 .and. hit /= 1) vx = vx + horner(u, n, h)
-    vy = -om*off_x(touching); y = -off_y(touching)
+    vy = -om*real(offset(touching)); y = -aimag(offset(touching))
     t = t + h
     if (hit == 0 .and. h >= rem) t = until
     select case (hit)
-    case (1); call resolve()
+    case (1, 5, 6); call resolve()
     case (2); mode = flight
     case (3, 4); sig = merge(-1, 1, horner(ft, n - 1, h) > 0)   ! slide against the force
-    case (5, 6); call resolve()
     end select
   contains
     pure real(q) function conv(p, r, m)
       real(q), intent(in) :: p(0:nmax), r(0:nmax)
       integer, intent(in) :: m
-      integer :: ii
-      conv = 0
-      do ii = 0, m
-        conv = conv + p(ii)*r(m - ii)
-      end do
+      conv = dot_product(p(0:m), r(m:0:-1))
     end function
     pure real(q) function horner(p, m, z)
       real(q), intent(in) :: p(0:nmax), z
@@ -491,24 +439,16 @@ contains
         horner = horner*z + p(ii)
       end do
     end function
-    subroutine set_poly(pc, c, m, scale)
-      type(curve), intent(inout) :: pc
-      integer, intent(in) :: m
-      real(q), intent(in) :: c(0:m), scale
+    subroutine set_poly(c, scale)
+      real(q), intent(in) :: c(0:), scale
       integer :: ii
-      pc%n = m; pc%c(0:m) = c; pc%third = 0
-      do ii = m, 3, -1
-        pc%third = pc%third*h + ii*(ii - 1)*(ii - 2)*abs(c(ii))
+      cv%n = ubound(c, 1); cv%c(0:cv%n) = c; cv%third = 0
+      do ii = cv%n, 3, -1
+        cv%third = cv%third*h + ii*(ii - 1)*(ii - 2)*abs(c(ii))
       end do
-      if (scale > 0) call trim_poly(pc, scale)
-    end subroutine
-    subroutine trim_poly(pc, scale)         ! leading coefficients that are rounding only
-      type(curve), intent(inout) :: pc
-      real(q), intent(in) :: scale
-      integer :: ii
-      do ii = 0, pc%n
-        if (abs(pc%c(ii))*h**ii > 1.0e-29_q*scale) exit
-        pc%c(ii) = 0
+      do ii = 0, cv%n                             ! leading coefficients that are rounding only
+        if (abs(c(ii))*h**ii > 1.0e-29_q*scale) exit
+        cv%c(ii) = 0
       end do
     end subroutine
   end subroutine
@@ -520,20 +460,17 @@ contains
     real(d8) :: cpu0, cpu
     integer :: n, phases
     reason = ''; t = 0; impacts = 0; quarter = 0; touching = 0; mode = flight; sig = 0; grounded = .false.
-    if (.not. (l > 0 .and. mu >= 0 .and. eps >= 0 .and. eps <= 1 .and. until >= 0)) then
-      call refuse('input'); return
-    end if
+    if (.not. (l > 0 .and. mu >= 0 .and. eps >= 0 .and. eps <= 1 .and. until >= 0)) call refuse('input')
+    if (reason /= '') return
     rho2 = l**2/6; g_abs = sqrt(gx**2 + gy**2)
     cut = cut_factor*sqrt(g_abs*l)
     if (g_abs == 0) cut = cut_factor*(abs(vx) + abs(vy) + l*abs(om))  ! no other scale without gravity
     tr = theta; n = normalise()
     if (abs(sin(tr)) <= 1.0e-25_q) tr = 0
     low = y - 0.5_q*l*(cos(tr) + abs(sin(tr)))
-    if (low < -1.0e-13_q*l) then
-      call refuse('below'); return
-    end if
+    if (low < -1.0e-13_q*l) call refuse('below')
     call cpu_time(cpu0)
-    if (low <= 1.0e-25_q*l .and. until > 0) then
+    if (low <= 1.0e-25_q*l .and. until > 0 .and. reason == '') then
       grounded = .true.; y = y - low
       call resolve()
     end if
@@ -541,9 +478,7 @@ contains
     do while (t < until .and. reason == '')
       phases = phases + 1
       call cpu_time(cpu)
-      if (impacts > 200000 .or. phases > 1000000 .or. cpu - cpu0 > 5) then
-        call refuse('many'); exit
-      end if
+      if (impacts > 200000 .or. phases > 1000000 .or. cpu - cpu0 > 5) call refuse('many')
       select case (mode)
       case (flight); call fly()
       case (corner); call roll()
@@ -569,9 +504,7 @@ program second_truth
     if (ios /= 0) exit
     if (line == '') cycle
     read (line, *, iostat=ios) l, mu, eps, gx, gy, x, y, theta, vx, vy, om, until
-    if (ios /= 0) then
-      print '(a)', 'refused input'; cycle
-    end if
+    if (ios /= 0) l = -1                          ! refused as input
     call simulate(theta)
     if (reason /= '') then
       print '(a)', 'refused '//trim(reason)
