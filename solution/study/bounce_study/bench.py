@@ -26,7 +26,7 @@ STEPS = (
     3e-4,
     1e-4,
 )  # s, or nearly so: a step divides the times' distance
-LIMITS = processes.Limits(60, 120, memory=4 << 30, file_size=64 << 20, output=1 << 20)
+LIMITS = processes.Limits(60, 120, None, 64 << 20, output=1 << 20)
 ASKED = ("l", "m", "mu", "epsilon", "g")
 
 

@@ -373,6 +373,15 @@ def test_the_adapters_to_begin_with_agree(tmp_path: Path) -> None:
     assert len(told[0]["q"]) == 3 and all(one["ns"] > 0 for one in told)
 
 
+def test_a_flat_drop_tells_the_restitution_that_an_engine_gives() -> None:
+    command = [str(ADAPTERS / name) for name in ("flat_drop.py", "adapter.py")]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    rows = [[float(x) for x in line.split()] for line in done.stdout.splitlines()[1:]]
+    assert len(rows) == 4
+    for epsilon, _, *found in rows:
+        assert found[-1] == pytest.approx(epsilon, abs=2e-3) and found == sorted(found)
+
+
 # --- what can't be used ---
 
 IN_SCENES, IN_A_STUDY = TABLES["scenes"], TABLES["scenes of a study"]
