@@ -37,6 +37,41 @@ double largest_gain(ImpactLaw law, double mu, double epsilon) {
   return largest;
 }
 
+// Half a second after it was at rest on a slope: on one that holds it, it is still there; on a
+// steeper one it slides.
+double off_on_slope(const Method& method, Scene scene, double tilt, double setting) {
+  const double g = scene.params.g.norm(), pull = std::sin(tilt), mu = scene.params.mu;
+  scene.params.g = g * Vector3(pull, -std::cos(tilt), 0);
+  scene.until = 0.5;
+  const double a = g * std::max(0.0, pull - mu * std::cos(tilt));
+  Motion<double> exact = motion_of(scene.start);
+  exact.x += a * scene.until * scene.until / 2;
+  const Motions motions = method.simulate(scene, setting, 1);
+  return motions.empty() ? NAN : distance(scene, motions.back(), exact);
+}
+
+// The largest change of energy, as a share, in ten seconds of tumbling without a loss. Near the
+// ground it may be in a spring.
+double energy_gained_by(const Method& method, Scene scene, double setting) {
+  constexpr int kLooks = 100;
+  scene.params.mu = 0;
+  scene.params.epsilon = 1;
+  scene.start = {{0, 5 * scene.params.l, 0.3}, {0, 0, 5}};
+  scene.until = 10;
+  const auto energy = [&](const Motion<double>& s) {
+    const double l = scene.params.l;
+    return (s.v_x * s.v_x + s.v_y * s.v_y + l * l / 6 * s.omega * s.omega) / 2 -
+           scene.params.g(1) * s.y;
+  };
+  const double before = energy(motion_of(scene.start));
+  double most = 0;
+  for (const Motion<double>& s : method.simulate(scene, setting, kLooks)) {
+    const bool flies = lowest_gap(s, Body<double>(scene.params)) > scene.params.l / 100;
+    if (flies) most = std::max(most, std::abs(energy(s) / before - 1));
+  }
+  return most;
+}
+
 // The least epsilon that can gain energy, over the same angles; 1 if none can.
 double least_limit(double mu) {
   double least = 1;
@@ -310,6 +345,22 @@ Table rest_and_drift(const Scenes& scenes, const Extent&) {
         }
         table.add(method.name, setting, height, depth, drift);
       }
+    }
+  }
+  return table;
+}
+
+Table in_time(const Scenes& scenes, const Extent&) {
+  Table table({"case", "tilt_rad", "method", "setting", "off"});
+  const auto rest = std::find_if(scenes.begin(), scenes.end(),
+                                 [](const Scene& scene) { return scene.name == "rest"; });
+  if (rest == scenes.end()) return table;
+  for (const Method& method : all_methods()) {
+    const std::vector<double> steps{1e-2, 3e-3, 1e-3, 3e-4, 1e-4};
+    for (const double setting : method.has_step ? steps : method.settings) {
+      for (const double tilt : {0.1, 0.2, 0.4})
+        table.add("slope", tilt, method.name, setting, off_on_slope(method, *rest, tilt, setting));
+      table.add("energy", 0.0, method.name, setting, energy_gained_by(method, *rest, setting));
     }
   }
   return table;
