@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -86,6 +87,11 @@ class Fields {
     if (!value.is_string()) refuse(prefix_ + name, "must be a text");
     return value;
   }
+  int columns() {
+    const double T = number("T", kColumns);
+    if (T != std::floor(T)) refuse(prefix_ + "T", "must be a whole number");
+    return int(T);
+  }
   Vector3 vector(const std::string& name, const std::array<Range, 3>& ranges) {
     const json& value = get(name);
     if (!value.is_array() || value.size() != 3 ||
@@ -127,9 +133,11 @@ Parameters parameters_of_own(Fields& fields) {
   params.m = given("m", kAbove0, params.m);
   params.delta = given("delta", kFrom0, params.delta);
   const double until = fields.number("until", kAbove0);
-  params.T = int(given("T", kColumns, kUsualTimes));
+  if (fields.has("dt") && fields.has("T")) refuse("dt", "and T are both there; take one out");
+  params.T = fields.has("T") ? fields.columns() : kUsualTimes;
   params.dt = given("dt", kAbove0, until / std::max(1, params.T - 1));
-  if (fields.has("dt")) params.T = int(within(kColumns, "until / dt", until / params.dt)) + 1;
+  if (fields.has("dt"))
+    params.T = 1 + int(within(kColumns, "until / dt", std::floor(until / params.dt * (1 + 1e-12))));
   return params;
 }
 
@@ -143,9 +151,7 @@ Parameters parameters(const json& object) {
   params.g = fields.vector("g", {kAny, kAny, kNone});
   params.dt = fields.number("dt", kAbove0);
   params.delta = fields.number("delta", kFrom0);
-  const double T = fields.number("T", kColumns);
-  if (T != std::floor(T)) refuse("params.T", "must be a whole number");
-  params.T = int(T);
+  params.T = fields.columns();
   fields.nothing_else();
   return params;
 }
@@ -197,7 +203,7 @@ Scene read_scene(const std::filesystem::path& file, bool of_study) {
 
 std::vector<std::string> doubts(const Scene& scene) {
   const double theta = scene.start.q(2), l = scene.params.l, g_y = scene.params.g(1);
-  const double radians = theta / 180 * 3.14159265358979323846;
+  const double radians = theta / 180 * std::numbers::pi;
   std::vector<std::string> all;
   if (std::abs(theta) > 4 && std::abs(std::remainder(theta, 1)) < 1e-9)
     all.push_back("q[2] is " + text_of(theta) + " rad; " + text_of(theta) + " degrees would be " +

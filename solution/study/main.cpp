@@ -30,7 +30,7 @@ std::map<std::string, Asked> questions(int core, const Extent& extent) {
           {"almost_flat", {almost_flat}},
           {"flat_landing", {flat_landing}},
           {"rest_and_drift", {rest_and_drift}},
-          {"in_time", {in_time}},
+          {"slope_and_energy", {slope_and_energy}},
           {"scaling", {scaling}},
           {"examples", {examples}},
           {"least_model", {least_model, timed}},

@@ -38,7 +38,7 @@ Question flat_landing;
 Question rest_and_drift;
 // How far off a square is that was at rest on a slope, m, and how much energy a tumbling one gains
 // that should keep it, as a share, by method and dt.
-Question in_time;
+Question slope_and_energy;
 // The effect of scaling m and dt on solvers.
 Question scaling;
 // Examples with known answers: Kane's paradox, a leaning rectangle's limits, Painleve's.

@@ -350,7 +350,7 @@ Table rest_and_drift(const Scenes& scenes, const Extent&) {
   return table;
 }
 
-Table in_time(const Scenes& scenes, const Extent&) {
+Table slope_and_energy(const Scenes& scenes, const Extent&) {
   Table table({"case", "tilt_rad", "method", "setting", "off"});
   const auto rest = std::find_if(scenes.begin(), scenes.end(),
                                  [](const Scene& scene) { return scene.name == "rest"; });

@@ -27,6 +27,7 @@ STEPS = (
     1e-4,
 )  # s, or nearly so: a step divides the times' distance
 LIMITS = processes.Limits(60, 120, None, 64 << 20, output=1 << 20)
+OWN = "own engine"  # which may have the name of another
 ASKED = ("l", "m", "mu", "epsilon", "g")
 
 
@@ -41,16 +42,16 @@ def run(adapter: Path, out: Path) -> int:
         gap = scene["compare"]["until"] / len(own)
         for step in dict.fromkeys(gap / max(1, round(gap / step)) for step in STEPS):
             rows.append(_measured(adapter, scene, step, own))
-    runs, name = pd.DataFrame(rows), adapter.stem
-    style.ENGINES[name] = (name, style.INK, "s", "-")
+    runs = pd.DataFrame(rows)
+    style.ENGINES[OWN] = (adapter.stem, style.INK, "s", "-")
     ours = tables.read(STUDY / "speed_accuracy.csv")
-    whole = pd.concat([ours, runs.assign(method=name)])
-    print(_table(runs, compared(whole).query("method == @name")))
-    for file_name, data in {
+    whole = pd.concat([ours, runs.assign(method=OWN)])
+    print(_table(runs, compared(whole).query("method == @OWN")))
+    for name, data in {
         "bench.csv": runs.to_csv(index=False, float_format="%.5g"),
         "bench.svg": charts.speed_accuracy({"speed_accuracy": whole}),
     }.items():
-        write_whole(out / file_name, data)
+        write_whole(out / name, data)
     print(f"{out} holds bench.csv and bench.svg")
     return 0
 

@@ -184,7 +184,9 @@ def stability(tables: Tables) -> Facts:
         "least_limit_from": limits[limits < limits.min() + 1e-4].index[0],
         "first_limit": (limits.index[1], limits.iloc[1]),
         "rest": tables["rest_and_drift"].set_index(["method", "setting"]).max(axis=1),
-        "in_time": tables["in_time"].set_index(["case", "tilt_rad", "method", "setting"])["off"],
+        "off": tables["slope_and_energy"].set_index(["case", "tilt_rad", "method", "setting"])[
+            "off"
+        ],
         "flat": landing.loc[0].abs(),
         "apart": (apart.index.min(), apart.index.max(), apart["event_driven"].max()),
         "depth_off": (deep["depth_m"] / chart_stability.predicted_depth(deep) - 1).abs().max(),

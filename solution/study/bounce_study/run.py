@@ -27,7 +27,7 @@ MEASURED = "measured"
 MEASURED_TABLES = OF_HANDOUT[2:]
 QUESTIONS = tuple(
     "examples depth scaling flat_landing almost_flat gauss_seidel solution_count energy_gain "
-    "rest_and_drift in_time truth tolerance random_models chosen_model least_model speed_accuracy".split()
+    "rest_and_drift slope_and_energy truth tolerance random_models chosen_model least_model speed_accuracy".split()
 )
 
 

@@ -41,10 +41,8 @@ def scenes(count: int) -> Iterator[Numbers]:
             epsilon = between(0.9, 0.99)
         elif kind == 5:  # nearly simultaneous corners
             almost = random.choice((-1, 1)) * from_to(1e-9, 1e-2)
-            q[1:], v[1:] = [between(0.6, 2) * l, random.choice((0, math.pi / 2)) + almost], [
-                -1.0,
-                0,
-            ]
+            q = [0.0, between(0.6, 2) * l, random.choice((0, math.pi / 2)) + almost]
+            v = [between(-2, 2), between(-2, 0), 0.0]
         elif kind == 6:
             length, time = 10 ** between(-9, 9), 10 ** between(-4, 4)
         elif kind == 7:  # low, until it lies

@@ -15,7 +15,6 @@ from operator import getitem
 from pathlib import Path
 from typing import Any
 
-import pandas as pd
 import pytest
 from bounce_grader.cli import main
 from bounce_grader.common.paths import BUILD, FIXTURES, ROOT
@@ -289,10 +288,11 @@ def test_a_scene_of_ones_own_names_what_it_needs(tmp_path: Path, capsys: Said) -
     )
     assert re.fullmatch(first, told.out.splitlines()[0]) and told.err == ""
     assert answer["times"] == pytest.approx([0.4 * k / 20 for k in range(21)])
-    for more in ({"T": 5}, {"dt": 0.1}, {"T": 5, "m": 7, "delta": 0}):
+    # Of 0.3 s, 0.1 s are a third, though not in floating point.
+    for more, count in (({"T": 5, "m": 7, "delta": 0}, 5), ({"dt": 0.1, "until": 0.3}, 4)):
         own = written(tmp_path, json.loads(template) | more)
         assert main(["study", "simulate", str(own), *files]) == 0
-        assert len(json.loads(out.read_text())["times"]) == 5
+        assert len(json.loads(out.read_text())["times"]) == count
     alone = written(tmp_path, json.loads(template) | {"T": 1})
     capsys.readouterr()
     assert main(["study", "simulate", str(alone)]) == 0
@@ -313,73 +313,6 @@ def test_a_scene_says_how_many_impacts_it_has(tmp_path: Path) -> None:
     own, out = json.loads((SCENES / "oblique_bounce.json").read_text()), tmp_path / "out.json"
     assert main(["study", "simulate", str(written(tmp_path, own)), "--json", str(out)]) == 0
     assert own["why"].startswith("Two impacts") and json.loads(out.read_text())["impacts"] == 2
-
-
-# --- other engines ---
-
-ADAPTERS = ROOT / "docs" / "studies" / "bench"
-
-
-def adapter(folder: Path, prints: str) -> Path:
-    """A program that prints this expression of what it was asked."""
-    file = folder / "engine"
-    lines = ["#!/usr/bin/python3", "import json, sys", "asked = json.load(sys.stdin)"]
-    file.write_text("\n".join([*lines, f"print({prints})", ""]))
-    file.chmod(0o755)
-    return file
-
-
-def test_an_engine_that_does_not_move_is_right_at_rest_alone(tmp_path: Path, capsys: Said) -> None:
-    stays = 'json.dumps({"q": [asked["q"] for t in asked["times"]], "ns": 1e6})'
-    command = ["study", "bench", str(adapter(tmp_path, stays)), "--out", str(tmp_path)]
-    assert main(command) == 0
-    errors = pd.read_csv(tmp_path / "bench.csv").groupby("scene")["error_m"].min()
-    assert errors["rest"] == 0 and sorted(errors)[1] > 0.01
-    table = capsys.readouterr().out.splitlines()
-    assert len(table) == 1 + len(errors) + 1 and sum("no run within" in row for row in table) == 10
-    assert "engine" in (tmp_path / "bench.svg").read_text()
-
-
-@pytest.mark.parametrize(
-    "prints, sentence",
-    {
-        '"hello"': "engine in flat_drop with a step of 0.025 s printed no {",
-        'json.dumps({"q": [asked["q"]], "ns": 1})': "printed no {",
-        'json.dumps({"q": 7, "ns": 1})': "printed no {",
-        "asked['mass']": "failed: ",
-    }.items(),
-)
-def test_an_answer_that_is_none_is_named(
-    tmp_path: Path, capfd: Said, prints: str, sentence: str
-) -> None:
-    command = ["study", "bench", str(adapter(tmp_path, prints)), "--out", str(tmp_path)]
-    assert main(command) == 2
-    assert sentence in capfd.readouterr().err and not (tmp_path / "bench.csv").exists()
-
-
-def test_the_adapters_to_begin_with_agree(tmp_path: Path) -> None:
-    engine = tmp_path / "engine"
-    source = ADAPTERS / "adapter.cpp"
-    subprocess.run(["g++", "-std=c++20", "-Wall", "-Werror", source, "-o", engine], check=True)
-    asked: Any = {"l": 0.2, "m": 0.3, "mu": 0.3, "epsilon": 0.5, "g": [0, -9.81, 0]}
-    asked |= {"q": [0, 0.3, 0.3], "v": [2, -1, 3], "step": 0.01, "times": [0.1, 0.2, 0.4]}
-    programs = ([str(engine)], ["/usr/bin/python3", str(ADAPTERS / "adapter.py")])
-    told = [
-        json.loads(subprocess.run(p, input=json.dumps(asked), stdout=-1, text=True).stdout)
-        for p in programs
-    ]
-    for one, other in zip(told[0]["q"], told[1]["q"], strict=True):
-        assert one == pytest.approx(other, abs=1e-12)
-    assert len(told[0]["q"]) == 3 and all(one["ns"] > 0 for one in told)
-
-
-def test_a_flat_drop_tells_the_restitution_that_an_engine_gives() -> None:
-    command = [str(ADAPTERS / name) for name in ("flat_drop.py", "adapter.py")]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    rows = [[float(x) for x in line.split()] for line in done.stdout.splitlines()[1:]]
-    assert len(rows) == 4
-    for epsilon, _, *found in rows:
-        assert found[-1] == pytest.approx(epsilon, abs=2e-3) and found == sorted(found)
 
 
 # --- what can't be used ---
