@@ -104,7 +104,7 @@ def _add_grade(parser: argparse.ArgumentParser) -> None:
     public = "on the public cases alone: the record has the parts that ./check --json writes"
     option("--public", action="store_true", help=public)
     option("--reveal", action="store_true", help="also show the expected answers of hidden cases")
-    remarks = "skip warnings about undefined behaviour, which take longer than everything else"
+    remarks = "skip warnings about undefined behaviour"
     option("--no-sanitize", action="store_true", help=remarks)
     box = parser.add_mutually_exclusive_group().add_argument
     box("--require-box", choices=["full"], help="refuse to grade without this sandbox")
@@ -130,7 +130,7 @@ def _add_class(parser: argparse.ArgumentParser) -> None:
     flag("--overwrite", help="replace points that somebody else entered in the column")
     flag("--apply", help="use this kit version's results instead of another's")
     flag("--speed", help="chart speed against accuracy; takes twice as long")
-    sanitize = "warn about undefined behaviour in parts with full marks; takes twelve times as long"
+    sanitize = "warn about undefined behaviour in parts with full marks; takes half as long again"
     flag("--sanitize", help=sanitize)
     reveal = "put the expected answers of hidden cases into the feedback; may be added later"
     flag("--reveal", help=reveal)

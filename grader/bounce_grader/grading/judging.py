@@ -237,7 +237,8 @@ def remark(part: Part, checked: Work) -> tuple[Facts, Place | None] | None:
     is kept, and looked for again only if something changed that it depends on."""
     objects = [str(b.path) for b in (checked.parts.get(part.number), *checked.helpers) if b]
     cases = [(f.name, f.stat().st_mtime_ns) for f in sorted((FIXTURES / "public").iterdir())]
-    made_from = [toolchain_digest(), JUDGE.stat().st_mtime_ns, part.number, objects, cases]
+    known = (SENTENCES / "crashes.txt").read_text("utf-8")
+    made_from = [toolchain_digest(), JUDGE.stat().st_mtime_ns, part, objects, cases, known]
     place = place_of(digest("remark", *made_from))
     if is_there(place):
         found, at = json.loads(contents_of(place))

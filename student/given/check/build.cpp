@@ -116,11 +116,10 @@ std::string state_of_sources() {
   return state;
 }
 
-std::string once_after_a_change(const std::string& name, bool still_there,
-                                const std::function<std::string()>& find) {
+std::string once_after_a_change(const std::string& name, const std::function<std::string()>& find) {
   const fs::path file = kWork / (name + "_found.txt");
   const std::string now = state_of_sources() + "\n", before = read(file);
-  if (still_there && begins(before, now)) return before.substr(now.size());
+  if (begins(before, now)) return before.substr(now.size());
   const std::string found = find();
   write(file, now + found);
   return found;

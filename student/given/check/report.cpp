@@ -70,6 +70,12 @@ void print_part(const Run& run, const Part& part) {
   if ((&part == run.first_part && run.first_check) || is_open) print_checks(part);
 }
 
+std::string mark_of(const std::string& status) {
+  if (status == "passed") return "\u2713";
+  if (status == "unknown") return "\u00b7";
+  return status == kUndecided ? "?" : "\u2717";
+}
+
 // All checks in the order in which they are won, a mark each, and how many pass; those of the last
 // run are remembered.
 void print_ladder(const Run& run) {
@@ -81,11 +87,7 @@ void print_ladder(const Run& run) {
       const std::string status = part.result.note(check).status;
       const bool is_next = &part == run.first_part &&
                            &check == (run.first_check ? run.first_check : &part.checks.front());
-      ladder += is_next                ? "\u2192"
-                : status == "passed"   ? "\u2713"
-                : status == "unknown"  ? "\u00b7"
-                : status == kUndecided ? "?"
-                                       : "\u2717";
+      ladder += is_next ? "\u2192" : mark_of(status);
       passed += status == "passed";
       ++all;
     }
@@ -224,7 +226,7 @@ std::string undefined_behaviour() {
 
 // Prints what sanitizers find in a program that passes all checks.
 bool has_defined_behaviour() try {
-  const std::string found = once_after_a_change("undefined", true, undefined_behaviour);
+  const std::string found = once_after_a_change("undefined", undefined_behaviour);
   if (found.empty()) return true;
   std::cout << heading("First: undefined behaviour") << "\n"
             << folded(printable(found) + (found.back() == '?' ? "" : "."), 74, "  ")

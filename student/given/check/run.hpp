@@ -110,10 +110,8 @@ std::vector<std::string> warnings();
 // A line for each file in src/ and include/: a digest of what it holds, and its name.
 std::string state_of_sources();
 
-// What `find` gives, which is remembered under the name until a source changes, unless it isn't
-// `still_there`.
-std::string once_after_a_change(const std::string& name, bool still_there,
-                                const std::function<std::string()>& find);
+// What `find` gives, which is remembered under the name until a source changes.
+std::string once_after_a_change(const std::string& name, const std::function<std::string()>& find);
 
 // ---- running ----
 

@@ -73,17 +73,22 @@ def can_be_found_on_paper(record: dict[str, Any], is_shown: bool) -> None:
 
 
 REMARKED = [folder for folder in folders("undefined") if "remark" in expected(folder)]
-SOME_REMARKED = [  # sanitizers take long: two in each run
-    pytest.param(folder, id=folder.name, marks=[pytest.mark.long] * (number > 1))
-    for number, folder in enumerate(REMARKED)
-]
 
 
-@pytest.mark.parametrize("folder", SOME_REMARKED)
+@pytest.mark.parametrize("folder", REMARKED, ids=name_of)
 def test_undefined_behaviour_is_remarked(folder: Path) -> None:
     """Without the other parts, which would be looked at, too."""
     text = terminal.render(report(grade(folder, Options(sanitize=True))))
     assert f"  remark, no points: {expected(folder)['remark']}" in text
+
+
+def test_a_part_that_only_gcc_takes_is_remarked(tmp_path: Path) -> None:
+    """Its sanitizers' code calls clang's library."""
+    part = shutil.copytree(GALLERY / "undefined" / "part1_random_number_too_large", tmp_path / "in")
+    file = part / "part1_contacts.cpp"
+    file.write_text(f"#ifdef __clang__\n#error\n#endif\n{file.read_text()}")
+    text = terminal.render(report(grade(part, Options(sanitize=True))))
+    assert "remark, no points: part1_contacts.cpp:13: an integer grows" in text
 
 
 @each(RIGHT)
