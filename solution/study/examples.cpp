@@ -37,6 +37,18 @@ Least least_over_angles(const Value& value) {
   return least;
 }
 
+bool is_still(const Scene& scene, const Motion<double>& s) {
+  return std::hypot(s.v_x, s.v_y, scene.params.l * s.omega) < 1e-6;
+}
+
+bool is_flat(const Motion<double>& s) { return std::abs(std::sin(2 * s.theta)) < 1e-9; }
+
+const char* ending(const Scene& scene, const Motion<double>& s) {
+  if (lowest_gap(s, Body<double>(scene.params)) > 1e-6 * scene.params.l) return "in the air";
+  if (is_still(scene, s)) return is_flat(s) ? "at rest" : "balanced on a corner";
+  return is_flat(s) ? "sliding" : "on a corner";
+}
+
 }  // namespace
 
 Table examples(const Scenes&, const Extent&) {
@@ -60,6 +72,23 @@ Table examples(const Scenes&, const Extent&) {
   table.add("painleve", "v_t", kSliding, "m/s");
   table.add("painleve", "solutions", impulses.size(), "none");
   for (const double impulse : impulses) table.add("painleve", "f_n dt / m", impulse, "m/s");
+  return table;
+}
+
+Table endings(const Scenes& scenes, const Extent&) {
+  constexpr int kLooks = 1000;
+  Table table({"scene", "impacts", "ending", "still_from_s"});
+  for (const Scene& scene : scenes) {
+    EventReport report;
+    const std::vector<double> times = even_times(scene.until, kLooks);
+    const auto start = motion_of(scene.start);
+    Motions motions = simulate_events<double>(scene.params, start, times, {}, &report);
+    std::size_t moving = motions.size();
+    while (moving > 0 && is_still(scene, motions[moving - 1])) --moving;
+    const bool stops = moving < motions.size();
+    table.add(scene.name, report.impacts, ending(scene, motions.back()),
+              stops ? text_of(times[moving], 2) : "");
+  }
   return table;
 }
 

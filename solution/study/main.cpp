@@ -23,6 +23,7 @@ std::map<std::string, Asked> questions(int core, const Extent& extent) {
   const std::string timed = times_taken(core, extent);
   return {{"speed_accuracy", {speed_accuracy, timed}},
           {"truth", {truths}},
+          {"endings", {endings}},
           {"energy_gain", {energy_gain}},
           {"solution_count", {solution_count}},
           {"gauss_seidel", {gauss_seidel_sweeps}},
@@ -31,7 +32,9 @@ std::map<std::string, Asked> questions(int core, const Extent& extent) {
           {"flat_landing", {flat_landing}},
           {"rest_and_drift", {rest_and_drift}},
           {"slope_and_energy", {slope_and_energy}},
-          {"scaling", {scaling}},
+          {"restitution", {restitution}},
+          {"large_friction", {large_friction}},
+          {"event_limits", {event_limits}},
           {"examples", {examples}},
           {"least_model", {least_model, timed}},
           {"chosen_model", {chosen_model, timed}},

@@ -11,6 +11,9 @@ using Question = Table(const Scenes&, const Extent&);
 
 // The truth itself at the sample times, with all its digits, for those who check it by other means.
 Question truths;
+// How many impacts each scene has while it is compared, what the square does at the end, and from
+// when on it is still, s, if it is.
+Question endings;
 
 // Time and error of every method, and of every engine that was built in, in every scene: the chart
 // of speed against accuracy. A row for each scene, method and setting: the step, s, or a tolerance.
@@ -34,15 +37,25 @@ Question depth;
 Question almost_flat;
 // How fast a square turns that has just landed on a face, tilted by theta at first, by method.
 Question flat_landing;
+// Examples with known answers: Kane's paradox, a leaning rectangle's limits, Painleve's.
+Question examples;
+
+// --- where methods fail in time ---
+
 // Height and drift in ten seconds of rest, after each step, by method and dt.
 Question rest_and_drift;
 // How far off a square is that was at rest on a slope, m, and how much energy a tumbling one gains
 // that should keep it, as a share, by method and dt.
 Question slope_and_energy;
-// The effect of scaling m and dt on solvers.
-Question scaling;
-// Examples with known answers: Kane's paradox, a leaning rectangle's limits, Painleve's.
-Question examples;
+// The restitution that each method and engine really gives, over dt, on a face and on a corner: the
+// least and the most over starts that are parts of a step apart.
+Question restitution;
+// How many random throws are off by more than 1 mm after 0.3 s, over mu, by method and dt.
+Question large_friction;
+// How far the event-driven method in double is from the truth, m, and its impacts: where bounces
+// accumulate, over epsilon; tumbling without a loss, over the time, s; balancing on a corner, over
+// the angle from the balance, rad.
+Question event_limits;
 
 // --- the least model ---
 

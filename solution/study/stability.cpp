@@ -37,41 +37,6 @@ double largest_gain(ImpactLaw law, double mu, double epsilon) {
   return largest;
 }
 
-// Half a second after it was at rest on a slope: on one that holds it, it is still there; on a
-// steeper one it slides.
-double off_on_slope(const Method& method, Scene scene, double tilt, double setting) {
-  const double g = scene.params.g.norm(), pull = std::sin(tilt), mu = scene.params.mu;
-  scene.params.g = g * Vector3(pull, -std::cos(tilt), 0);
-  scene.until = 0.5;
-  const double a = g * std::max(0.0, pull - mu * std::cos(tilt));
-  Motion<double> exact = motion_of(scene.start);
-  exact.x += a * scene.until * scene.until / 2;
-  const Motions motions = method.simulate(scene, setting, 1);
-  return motions.empty() ? NAN : distance(scene, motions.back(), exact);
-}
-
-// The largest change of energy, as a share, in ten seconds of tumbling without a loss. Near the
-// ground it may be in a spring.
-double energy_gained_by(const Method& method, Scene scene, double setting) {
-  constexpr int kLooks = 100;
-  scene.params.mu = 0;
-  scene.params.epsilon = 1;
-  scene.start = {{0, 5 * scene.params.l, 0.3}, {0, 0, 5}};
-  scene.until = 10;
-  const auto energy = [&](const Motion<double>& s) {
-    const double l = scene.params.l;
-    return (s.v_x * s.v_x + s.v_y * s.v_y + l * l / 6 * s.omega * s.omega) / 2 -
-           scene.params.g(1) * s.y;
-  };
-  const double before = energy(motion_of(scene.start));
-  double most = 0;
-  for (const Motion<double>& s : method.simulate(scene, setting, kLooks)) {
-    const bool flies = lowest_gap(s, Body<double>(scene.params)) > scene.params.l / 100;
-    if (flies) most = std::max(most, std::abs(energy(s) / before - 1));
-  }
-  return most;
-}
-
 // The least epsilon that can gain energy, over the same angles; 1 if none can.
 double least_limit(double mu) {
   double least = 1;
@@ -189,36 +154,6 @@ Residuals residuals_at(double theta) {
   return worst;
 }
 
-struct Scaled {
-  double plain, closed;  // how far the impulses are from the reference, relatively
-};
-
-// The impulses of a corner of the handout's example without gravity, per unit of mass: neither m
-// nor dt occurs in them.
-template <class Real>
-CornerImpulse<Real> impulse_of(const Jacobian& J, const Vector3& v, const Parameters& params) {
-  const Arm<Real> r{Real(J(2, 1)), -Real(J(2, 0))};
-  return newton_impact(collision_of(motion_of<Real>({{0, 0, 0}, v}), r, Body<Real>(params)));
-}
-
-// The same contact with another mass and step, by solvers in double; the reference is the closed
-// form in long double.
-Scaled scaled(double m, double dt) {
-  const Parameters params{.m = m, .g = {0, 0, 0}, .dt = dt};
-  const Contact contact = get_contacts({0.5, 0.1255, 0.3}, params);
-  const Vector3 v(3, -1, 2);
-  const Lcp lcp = form_lcp(contact.J, v, params);
-  const auto reference = impulse_of<long double>(contact.J, v, params);
-  const auto off = [&](double n, double t) {
-    const auto error =
-        double(std::hypot(n - reference.n, t - reference.t) / std::hypot(reference.n, reference.t));
-    return std::isfinite(error) ? error : 1e300;
-  };
-  const Eigen::VectorXd f = lemke(lcp.V, lcp.p).z;
-  const auto p = impulse_of<double>(contact.J, v, params);
-  return {off(f(0) * dt / m, (f(2) - f(1)) * dt / m), off(p.n, p.t)};
-}
-
 constexpr double kDrop = 0.2;      // m that the centre falls until a flat face lands
 constexpr double kStep = 1e-4;     // s
 constexpr double kLooking = 0.21;  // s; the face lands at 0.202 s, and again only at 0.4 s
@@ -317,63 +252,6 @@ Table flat_landing(const Scenes&, const Extent&) {
   add("moreau_jean_1", turning<MoreauJean<1>>);
   add("moreau_jean_2", turning<MoreauJean<2>>);
   add("event_driven", true_turning);
-  return table;
-}
-
-Table rest_and_drift(const Scenes& scenes, const Extent&) {
-  Table table({"method", "setting", "height_m", "depth_m", "drift_m"});
-  for (Scene scene : scenes) {
-    if (scene.name != "rest") continue;
-    scene.until = 10;
-    std::vector<Method> all = all_methods();
-    Method sinking = all.front();
-    sinking.name = "assignment_delta_0";
-    sinking.simulate = [simulate = sinking.simulate](Scene without, double dt, int samples) {
-      without.params.delta = 0;
-      return simulate(without, dt, samples);
-    };
-    all.push_back(sinking);
-    for (const Method& method : all) {
-      const std::vector<double> steps{1e-2, 3e-3, 1e-3, 3e-4, 1e-4};
-      for (const double setting : method.has_step ? steps : method.settings) {
-        double height = 0, depth = 0, drift = 0;
-        const int looks = method.has_step ? int(std::lround(scene.until / setting)) : 10'000;
-        for (const Motion<double>& s : method.simulate(scene, setting, looks)) {
-          height = std::max(height, s.y - scene.start.q(1));
-          depth = std::max(depth, scene.start.q(1) - s.y);
-          drift = std::max(drift, std::abs(s.x - scene.start.q(0)));
-        }
-        table.add(method.name, setting, height, depth, drift);
-      }
-    }
-  }
-  return table;
-}
-
-Table slope_and_energy(const Scenes& scenes, const Extent&) {
-  Table table({"case", "tilt_rad", "method", "setting", "off"});
-  const auto rest = std::find_if(scenes.begin(), scenes.end(),
-                                 [](const Scene& scene) { return scene.name == "rest"; });
-  if (rest == scenes.end()) return table;
-  for (const Method& method : all_methods()) {
-    const std::vector<double> steps{1e-2, 3e-3, 1e-3, 3e-4, 1e-4};
-    for (const double setting : method.has_step ? steps : method.settings) {
-      for (const double tilt : {0.1, 0.2, 0.4})
-        table.add("slope", tilt, method.name, setting, off_on_slope(method, *rest, tilt, setting));
-      table.add("energy", 0.0, method.name, setting, energy_gained_by(method, *rest, setting));
-    }
-  }
-  return table;
-}
-
-Table scaling(const Scenes&, const Extent&) {
-  Table table({"m_kg", "dt_s", "plain_lemke_error", "closed_form_error"});
-  for (int i = -12; i <= 12; ++i) {
-    for (const double dt : {1e-6, 1e-2, 1.0}) {
-      const Scaled s = scaled(std::pow(10.0, i), dt);
-      table.add(std::pow(10.0, i), dt, s.plain, s.closed);
-    }
-  }
   return table;
 }
 

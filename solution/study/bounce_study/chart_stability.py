@@ -8,12 +8,11 @@ from bounce_study import style
 from bounce_study.tables import Tables
 
 LEAST_GAIN = 1e-12  # below it is rounding
-SMALLEST = 1e-17
 FALL, DELTA, EPSILON = 9.81, 1e-3, 0.5  # g, m/s^2, delta, m, and epsilon of the table of depths
 STEEPEST = np.pi / 4 + 1e-4  # rad, that the line to a square's lowest corner leans at most; rounded
 NEEDS = tuple(
-    "energy_gain rest_and_drift flat_landing depth gauss_seidel solution_count almost_flat "
-    "scaling".split()
+    "energy_gain rest_and_drift slope_and_energy restitution flat_landing depth gauss_seidel "
+    "solution_count".split()
 )
 
 
@@ -63,6 +62,26 @@ def _rest(axes: Any, tables: Tables) -> None:
         axes.plot(rows["setting"], rows["away"], **style.line(method))
     axes.set(xscale="log", yscale="log", xlabel="Δt, s")
     axes.set(ylabel="farthest in ten seconds of rest, m")
+
+
+def _slope(axes: Any, tables: Tables) -> None:
+    table = tables["slope_and_energy"].query("case == 'slope' and tilt_rad == 0.2")
+    for method, rows in table[table["method"] != "event_driven"].groupby("method", sort=False):
+        axes.plot(rows["setting"], rows["off"].clip(lower=1e-9), **style.line(method))
+    axes.set(xscale="log", yscale="log", xlabel="Δt, s")
+    axes.set(ylabel="off after 0.5 s on a slope of 0.2 rad, m")
+
+
+def _restitution(axes: Any, tables: Tables) -> None:
+    table = tables["restitution"].query("lands_on == 'face' and epsilon == @EPSILON")
+    for method, rows in table[table["method"] != "event_driven"].groupby("method", sort=False):
+        look = style.line(method)
+        axes.plot(rows["setting"], rows[["least", "most"]].mean(axis=1), **look)
+        axes.fill_between(
+            rows["setting"], rows["least"], rows["most"], color=look["color"], alpha=0.15
+        )
+    axes.axhline(EPSILON, color="black", linewidth=0.8, label="ε")
+    axes.set(xscale="log", xlabel="Δt, s", ylabel="restitution that a face really gets")
 
 
 def _landing(axes: Any, tables: Tables) -> None:
@@ -118,35 +137,14 @@ def _solutions(axes: Any, tables: Tables) -> None:
     axes.set(xlabel="α, rad: from the vertical to the line centre–corner")
 
 
-def _flat(axes: Any, tables: Tables) -> None:
-    rows = tables["almost_flat"]
-    lines = {"lemke_8x8_residual_m_s": ("8×8, Lemke", style.VERMILION, "s")}
-    lines["merged_residual_m_s"] = ("merged rows", style.BLUE, "v")
-    for column, (name, color, mark) in lines.items():
-        residual = rows[column].clip(lower=SMALLEST)
-        axes.plot(rows["theta_rad"], residual, marker=mark, color=color, label=name)
-    axes.set(xscale="log", yscale="log")
-    axes.set(xlabel="θ of the side, rad", ylabel="worst residual of “solved”, m/s")
-
-
-def _scaling(axes: Any, tables: Tables) -> None:
-    for (dt, rows), dash in zip(tables["scaling"].groupby("dt_s"), (":", "--", "-")):
-        error = rows["plain_lemke_error"].clip(SMALLEST, 1e2)
-        axes.plot(rows["m_kg"], error, dash, color=style.VERMILION, label=f"Lemke, Δt {dt:g} s")
-    closed = tables["scaling"].groupby("m_kg")["closed_form_error"].max()
-    axes.plot(closed.index, closed, color=style.BLUE, marker="v", label="closed form, any Δt")
-    axes.set(xscale="log", yscale="log")
-    axes.set(xlabel="m, kg", ylabel="relative error of the impulse")
-
-
 PANELS = {  # by title, which the page's table repeats
     "Energy gained by Newton's law": _energy,
     "Never at rest": _rest,
+    "Drift on a slope": _slope,
+    "Another restitution": _restitution,
     "One corner where two touch": _landing,
     "Through the ground": _depth,
     "Gauss–Seidel is slow": _sweeps,
     "Gauss–Seidel never ends": _endless,
     "Several solutions": _solutions,
-    "Almost flat": _flat,
-    "Scales of m and Δt": _scaling,
 }

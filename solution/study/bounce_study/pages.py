@@ -11,7 +11,10 @@ from bounce_study.tables import origins, Tables
 
 TEMPLATES = Path(__file__).parent / "pages"
 SPEED = ("speed_accuracy",)
-STABILITY = ("energy_gain", "examples", *chart_stability.NEEDS[1:], "speed_accuracy")
+STABILITY = (
+    *("energy_gain", "examples", *chart_stability.NEEDS[1:], "almost_flat", "event_limits"),
+    *("large_friction", "speed_accuracy"),
+)
 MODELS = ("least_model", "chosen_model", "random_models")
 MEASURED = ("measured_laws", "measured_body")
 EVERY = (facts.speed, facts.peers, facts.stability, facts.models, facts.tolerance, facts.measured)
@@ -23,7 +26,7 @@ PAGES: dict[str, tuple[tuple[str, ...], Work]] = {
     "least_model": (MODELS, (facts.models,)),
     "tolerance": (("tolerance",), (facts.tolerance,)),
     "measured": (MEASURED, (facts.measured,)),
-    "README": ((*STABILITY, *MODELS, "tolerance", *MEASURED), (*EVERY, facts.scenes)),
+    "README": ((*STABILITY, *MODELS, "endings", "tolerance", *MEASURED), (*EVERY, facts.scenes)),
 }
 
 

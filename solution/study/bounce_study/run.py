@@ -26,9 +26,11 @@ OF_HANDOUT = ("speed_accuracy", "truth", "measured_laws", "measured_impacts", "m
 MEASURED = "measured"
 MEASURED_TABLES = OF_HANDOUT[2:]
 QUESTIONS = tuple(
-    "examples depth scaling flat_landing almost_flat gauss_seidel solution_count energy_gain "
-    "rest_and_drift slope_and_energy truth tolerance random_models chosen_model least_model speed_accuracy".split()
+    "examples depth flat_landing almost_flat gauss_seidel solution_count energy_gain endings truth "
+    "rest_and_drift slope_and_energy large_friction event_limits tolerance random_models "
+    "chosen_model least_model restitution speed_accuracy".split()
 )
+WITH_PEERS = ("restitution", "speed_accuracy")
 
 
 @dataclass(frozen=True)
@@ -88,7 +90,7 @@ def _version(request: Request) -> str:
 
 def _measure(name: str, request: Request, file: Path) -> None:
     """Writes a table; raises UsageError with the program's sentence where a scene is bad."""
-    program = PEERS if request.peers and name == "speed_accuracy" else PROGRAM
+    program = PEERS if request.peers and name in WITH_PEERS else PROGRAM
     extent = ["--quick"] if request.quick else []
     unfinished = file.with_suffix(".unfinished")
     done = processes.run([str(program), *extent, str(SCENES), str(unfinished), name])

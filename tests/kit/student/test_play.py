@@ -113,13 +113,17 @@ def test_the_square_is_dragged_thrown_and_compared(page: Page) -> None:
     assert (x, y) == pytest.approx(true, abs=0.1) and (x, y) != pytest.approx(true, abs=1e-6)
 
 
+# Rocks until it rests; magnifies what a corner sinks in a ten-millionth of a side.
+LESS_EXACT = {"tilted_settling": 2e-4, "rocking": 1e-3, "ten_seconds": 0.1}
+
+
 def test_the_true_motion_is_that_of_the_exact_simulation(page: Page) -> None:
     lines = (ROOT / "fixtures/study/truth.csv").read_text().splitlines()
     samples = [row.split(",") for row in lines if not row.startswith(("#", "scene,"))]
     for name in {row[0] for row in samples}:
         times, *exact = zip(*([float(x) for x in row[1:]] for row in samples if row[0] == name))
         path = page.driver.execute_script(TRUTH, name, times[0])
-        within = 2e-4 if name == "tilted_settling" else 2e-6  # it rocks until it rests
+        within = LESS_EXACT.get(name, 2e-6)
         for row, other in zip(zip(*path), exact):
             assert row == pytest.approx(other, abs=within), name
 
