@@ -63,15 +63,23 @@ def answers(program: Path, lines: str) -> list[list[str]]:
     return [line.split() for line in done.stdout.splitlines()]
 
 
+def in_all_digits(asked: list[Numbers]) -> str:
+    """A quadruple number that is read from fewer isn't the double."""
+    return "".join(" ".join(f"{x:.60e}" for x in scene) + "\n" for scene in asked)
+
+
+def second_truth(folder: Path, asked: list[Numbers]) -> list[list[str]]:
+    """x, y, theta, v_x, v_y and omega of each scene, or "refused" and why."""
+    options = ["-O2", "-std=f2008", "-Wall", "-Werror", "-J", str(folder)]
+    subprocess.run(["gfortran", *options, SOURCE, "-o", folder / "second_truth"], check=True)
+    return answers(folder / "second_truth", in_all_digits(asked))
+
+
 @pytest.mark.parametrize("count", [400, pytest.param(10_000, marks=pytest.mark.long)])
 def test_no_error_is_above_its_bound(tmp_path: Path, count: int) -> None:
-    other = tmp_path / "second_truth"
-    options = ["-O2", "-std=f2008", "-Wall", "-Werror", "-J", str(tmp_path)]
-    subprocess.run(["gfortran", *options, SOURCE, "-o", other], check=True)
     asked = list(scenes(count))
-    # All digits: a quadruple number that is read from fewer isn't the double.
-    lines = "".join(" ".join(f"{x:.60e}" for x in scene) + "\n" for scene in asked)
-    promised, true = answers(BUILD / "ask_bounds", lines), answers(other, lines)
+    promised = answers(BUILD / "ask_bounds", in_all_digits(asked))
+    true = second_truth(tmp_path, asked)
     assert len(promised) == len(true) == count
     refused, ratios = 0, []
     for scene, own, found in zip(asked, promised, true):
