@@ -63,6 +63,7 @@ NearFlight<Real> first_contact(const Motion<Real>& start, const Body<Real>& body
     if (s.y > body.rho && t > 0) return {t, false};
     const Real of_time = 4 * epsilon * t;  // rounding of t
     Real step = t_end - t;
+    bool passes = false;
     for (const Arm<Real>& r : arms(body, s.theta)) {
       const Real f = s.y + r.y, slope = normal_velocity(s, r);
       const bool falls = slope < -resting;
@@ -70,11 +71,12 @@ NearFlight<Real> first_contact(const Motion<Real>& start, const Body<Real>& body
       const Real safe = safe_step(f, slope, K);
       if (!falls && safe < least) {
         step = std::min(step, least);
-        least = std::min(2 * least, longest);
+        passes = true;
       } else {
         step = std::min(step, safe);
       }
     }
+    if (passes) least = std::min(2 * least, longest);
     t += step;
   }
   return {t_end, false};

@@ -91,7 +91,8 @@ class Ground {
     const Arm<Real>&r_1 = r[hit.index[0]], &r_2 = r[hit.index[1]];
     const Row<Real, 2> before{normal_velocity(s, r_1), normal_velocity(s, r_2)};
     const Real approach = std::min(before[0], before[1]);
-    const Real epsilon = is_cut(approach, cut_at(s, r_1)) ? Real(0) : body_.epsilon;
+    const Arm<Real> middle{(r_1.x + r_2.x) / 2, (r_1.y + r_2.y) / 2};
+    const Real epsilon = is_cut(approach, cut_at(s, middle)) ? Real(0) : body_.epsilon;
     Row<Real, 2> pressed{};
     if (approach < 0) {
       pressed = press(s, r_1, r_2,
@@ -99,9 +100,8 @@ class Ground {
                        before[1] + epsilon * std::min(before[1], Real(0))});
     }
     if (std::abs(s.omega) < slow(s, body_)) s.omega = 0;  // it leaves flat, but for rounding
-    const Real cut = cut_at(s, r_1);
+    const Real cut = cut_at(s, middle), v_t = tangential_velocity(s, middle);
     const Row<Real, 2> after{normal_velocity(s, r_1), normal_velocity(s, r_2)};
-    const Real v_t = s.v_x - (r_1.y + r_2.y) / 2 * s.omega;
     if (std::max(after[0], after[1]) < cut && settles(s, v_t, cut)) return hit;
     // A corner stays closed if it was pressed without enough speed to bounce.
     const auto stays = [&](int i) {
@@ -115,11 +115,12 @@ class Ground {
   }
 
   // Whether the side presses on the first of these corners more than on the other: on that a square
-  // tips which doesn't stay flat.
+  // tips which doesn't stay flat. Where friction leaves no forces, that is the one in front.
   bool tips_on(const Arm<Real>& corner, const Arm<Real>& other, const Motion<Real>& s,
                Real v_t) const {
     const SideImpulse<Real> f = side_force(s, body_, v_t);  // of the left corner and the right one
-    return (f.n[1] > f.n[0]) == (corner.x > other.x);
+    const Real more = f.n[1] - f.n[0];
+    return ((more == 0 ? v_t : more) > 0) == (corner.x > other.x);
   }
 
   // Applies the impulses of the side's LCP for these u, and returns the normal ones.
@@ -140,7 +141,7 @@ class Ground {
     if (pressed(f)) {
       const bool moves = std::abs(v_t) > slow(s, body_);
       const Real way = moves ? v_t : f.t + body_.g_x;
-      lay_flat(s, moves || std::abs(f.t) >= most_friction(f) ? (way > 0 ? 1 : -1) : 0);
+      lay_flat(s, moves || std::abs(f.t) >= most_friction(f) ? (way > 0) - (way < 0) : 0);
       return true;
     }
     if (std::abs(v_t) >= cut) return false;

@@ -116,7 +116,7 @@ class CornerMotion {
     const auto watch = [&](Guard guard, auto coefficient) {
       Series<Real> f{};
       for (int n = 0; n < order_; ++n) f[n] = coefficient(n);
-      const Real t = first_fall(f, order_ - 1, std::min(end, first.second));
+      const Real t = first_fall(f, order_ - 1, end);
       if (t < first.second) first = {guard, t};
     };
     watch(Guard::lands_right, [&](int n) { return r_x_[n] - r_y_[n]; });

@@ -107,8 +107,9 @@ TwoCorners<Real> two_corners(const Arm<Real>& r_1, const Arm<Real>& r_2, Real gy
 template <class Real>
 void push_side(Motion<Real>& s, const Arm<Real>& r_1, const Arm<Real>& r_2,
                const SideImpulse<Real>& p, Real gyration_squared) {
-  apply_impulse(s, r_1, p.n[0], p.t / 2, gyration_squared);
-  apply_impulse(s, r_2, p.n[1], p.t / 2, gyration_squared);
+  s.v_x += p.t;
+  s.v_y += p.n[0] + p.n[1];
+  s.omega += (r_1.x * p.n[0] + r_2.x * p.n[1] - (r_1.y + r_2.y) / 2 * p.t) / gyration_squared;
 }
 
 // The impulses with friction in a given direction: sigma 0 sticks, 1 slides right, -1 left. The

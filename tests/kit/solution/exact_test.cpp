@@ -85,7 +85,7 @@ struct Symmetry {
   Case (*make)(Random&, int);
   void (*change)(Case&);
   Motion<double> (*expected)(const Motion<double>&);
-  double tolerance;  // of x, y and theta
+  double shift = 0;  // of x, m, which rounds it anew at each event; nothing else changes by a bit
 };
 
 constexpr double kLength = 0x1p-17, kTime = 0x1p6;
@@ -111,21 +111,13 @@ void mirror(Case& c) {
   c.start = mirrored(c.start);
 }
 
-Motion<double> moved(const Motion<double>& s) {
-  return {s.x + 3, s.y, s.theta + 1024 * 2 * std::numbers::pi, s.v_x, s.v_y, s.omega};
+constexpr double kShift = 3, kEvents = 1000;  // m, and how often x may have been rounded
+
+Motion<double> shifted(const Motion<double>& s) {
+  return {s.x + kShift, s.y, s.theta, s.v_x, s.v_y, s.omega};
 }
 
-// Whole turns round the angle by 1e-12 rad: a flat one lands on a corner, and each impact
-// multiplies what that does.
-Case tilted_and_short(Random& random, int i) {
-  Case c = ordinary(random, i);
-  if (c.start.theta == 0) c.start.theta = 0.3;
-  c.until = 3 * c.unit_time();
-  return c;
-}
-
-// Flat, at rest or sliding, on slopes to almost vertical: it stays, slides or tips over. With mu
-// above 4/3 an impact may have two solutions.
+// Flat, at rest or sliding, on slopes to almost vertical: it stays, slides or tips over.
 Case on_a_slope(Random& random, int i) {
   Case c = ordinary(random, i);
   const double tilt = random.uniform(0.05, 1.5);
@@ -137,13 +129,26 @@ Case on_a_slope(Random& random, int i) {
 }
 
 const Symmetry kSymmetries[] = {
-    {"units", wide_case, change_units, in_other_units, 0},
-    {"mirror", ordinary, mirror, mirrored, 1e-12},
-    {"mirror on slopes", on_a_slope, mirror, mirrored, 1e-12},
-    {"shift and turns", tilted_and_short, [](Case& c) { c.start = moved(c.start); }, moved, 1e-4},
+    {"units", wide_case, change_units, in_other_units},
+    {"mirror", wide_case, mirror, mirrored},
+    {"mirror, in the air", ordinary, mirror, mirrored},
+    {"mirror, rocking", rocking_case, mirror, mirrored},
+    {"mirror on slopes", on_a_slope, mirror, mirrored},
+    {"shift", wide_case, [](Case& c) { c.start = shifted(c.start); }, shifted, kShift},
 };
 
-TEST(exact, ChangesWithTheUnitsAMirrorAShiftAndWholeTurnsAsItShould) {
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+void expect_same(const Motion<double>& one, const Motion<double>& other, double x_rounding = 0,
+                 double theta_rounding = 0) {
+  ASSERT_NEAR(one.x, other.x, x_rounding);
+  ASSERT_NEAR(one.theta, other.theta, theta_rounding);
+  for (const auto number :
+       {&Motion<double>::y, &Motion<double>::v_x, &Motion<double>::v_y, &Motion<double>::omega})
+    ASSERT_EQ(one.*number, other.*number);
+}
+
+TEST(exact, ChangesWithTheUnitsAMirrorAndAShiftAsItShould) {
   for (const Symmetry& symmetry : kSymmetries) {
     Random random(8);
     for (int i = 0; i < random_cases(1000) / 2; ++i) {
@@ -153,13 +158,63 @@ TEST(exact, ChangesWithTheUnitsAMirrorAShiftAndWholeTurnsAsItShould) {
       symmetry.change(c);
       const Motions there = motion_at(c, even_times(c.until, 10));
       ASSERT_EQ(here.size(), there.size());
+      double farthest = std::abs(c.start.x);
       for (std::size_t j = 0; j < here.size(); ++j) {
-        const Motion<double> expected = symmetry.expected(here[j]);
-        ASSERT_NEAR(there[j].x, expected.x, symmetry.tolerance);
-        ASSERT_NEAR(there[j].y, expected.y, symmetry.tolerance);
-        ASSERT_NEAR(there[j].theta, expected.theta, symmetry.tolerance);
+        farthest = std::max(farthest, std::abs(there[j].x)) + symmetry.shift;
+        const double rounding = symmetry.shift == 0 ? 0 : kEvents * kEpsilon * farthest;
+        expect_same(there[j], symmetry.expected(here[j]), rounding);
+        if (HasFatalFailure()) return;
       }
     }
+  }
+}
+
+// The motion from an angle of many turns is that from what is left of it, and the turns.
+TEST(exact, CountsWholeTurnsApart) {
+  Random random(8);
+  for (int i = 0; i < random_cases(1000) / 2; ++i) {
+    SCOPED_TRACE(i);
+    Case c = wide_case(random, i);
+    const double theta = c.start.theta;
+    if (std::abs(theta) <= std::numbers::pi) continue;
+    const Motions turned = motion_at(c, even_times(c.until, 10));
+    c.start.theta = std::atan2(std::sin(theta), std::cos(theta));
+    const double turns = std::round((theta - c.start.theta) / (2 * std::numbers::pi));
+    const Motions within = motion_at(c, even_times(c.until, 10));
+    ASSERT_EQ(turned.size(), within.size());
+    for (std::size_t j = 0; j < within.size(); ++j) {
+      Motion<double> expected = within[j];
+      expected.theta += turns * 2 * std::numbers::pi;
+      const double largest = std::abs(within[j].theta) + std::abs(turned[j].theta);
+      expect_same(turned[j], expected, 0, 2 * kEpsilon * largest);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+// Where it touches nothing, and else through the ground.
+TEST(exact, FliesBackTheWayItCame) {
+  Random random(8);
+  for (int i = 0; i < random_cases(1000) / 2; ++i) {
+    SCOPED_TRACE(i);
+    Case c = wide_case(random, i);
+    EventReport report;
+    EventOptions options;
+    const Motion<double> start = c.start;
+    motion_at(c, {c.until}, &report);
+    if (report.impacts > 0) options.model.corners = 0;
+    c.start = motion_at(c, {c.until}, nullptr, options).back();
+    const double v_x = std::abs(start.v_x) + std::abs(c.start.v_x);
+    const double v_y = std::abs(start.v_y) + std::abs(c.start.v_y);
+    const double turned = std::abs(start.omega) * c.until;
+    c.start.v_x *= -1, c.start.v_y *= -1, c.start.omega *= -1;
+    const Motion<double> back = motion_at(c, {c.until}, nullptr, options).back();
+    EXPECT_NEAR(back.x, start.x, 4 * kEpsilon * (std::abs(start.x) + v_x * c.until));
+    EXPECT_NEAR(back.y, start.y, 4 * kEpsilon * (std::abs(start.y) + v_y * c.until));
+    EXPECT_NEAR(back.theta, start.theta, 4 * kEpsilon * (std::abs(start.theta) + turned));
+    EXPECT_NEAR(back.v_x, -start.v_x, 4 * kEpsilon * v_x);
+    EXPECT_NEAR(back.v_y, -start.v_y, 4 * kEpsilon * v_y);
+    if (HasFailure()) return;
   }
 }
 
