@@ -81,7 +81,8 @@ def _restitution(axes: Any, tables: Tables) -> None:
             rows["setting"], rows["least"], rows["most"], color=look["color"], alpha=0.15
         )
     axes.axhline(EPSILON, color="black", linewidth=0.8, label="ε")
-    axes.set(xscale="log", xlabel="Δt, s", ylabel="restitution that a face really gets")
+    axes.set(xscale="log", ylim=(0.2, 0.8), xlabel="Δt, s")
+    axes.set_ylabel("restitution that a face really gets")
 
 
 def _landing(axes: Any, tables: Tables) -> None:
