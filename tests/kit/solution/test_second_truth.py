@@ -1,6 +1,8 @@
-"""simulate_to keeps its bounds by the word of a program that shares nothing with it: second_truth.f90
-is of another author, in another language, with another formulation, in quadruple precision."""
+"""simulate_to keeps its bounds, and the benchmark's exact motion its digits, by the word of a program
+that shares nothing with them: second_truth.f90 is of another author, in another language, with
+another formulation, in quadruple precision."""
 
+import json
 import math
 import subprocess
 from collections.abc import Iterator
@@ -9,7 +11,8 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from bounce_grader.common.paths import BUILD
+from bounce_grader.common.paths import BUILD, FIXTURES
+from bounce_study import tables
 
 SOURCE = Path(__file__).parent / "second_truth.f90"
 MOST_REFUSED = 0.01  # of all scenes
@@ -58,20 +61,38 @@ def scenes(count: int) -> Iterator[Numbers]:
         ]
 
 
-def answers(program: Path, lines: str) -> list[list[str]]:
+@pytest.fixture(scope="module")
+def other(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("other")
+    options = ["-O2", "-std=f2008", "-Wall", "-Werror", "-J", str(folder)]
+    subprocess.run(["gfortran", *options, SOURCE, "-o", folder / "second_truth"], check=True)
+    return folder / "second_truth"
+
+
+def answers(program: Path, asked: list[Numbers]) -> list[list[str]]:
+    """All digits are asked: a quadruple number that is read from fewer isn't the double."""
+    lines = "".join(" ".join(f"{x:.60e}" for x in scene) + "\n" for scene in asked)
     done = subprocess.run([program], input=lines, capture_output=True, text=True, check=True)
     return [line.split() for line in done.stdout.splitlines()]
 
 
+def test_the_exact_motion_of_the_benchmark_has_twelve_digits(other: Path) -> None:
+    truth = tables.read(FIXTURES / "study" / "truth.csv")
+    asked: list[Numbers] = []
+    for name, time in zip(truth["scene"], truth["t_s"]):
+        scene = json.loads((FIXTURES / "scenes" / f"{name}.json").read_text())
+        p = scene["params"]
+        asked.append([p["l"], p["mu"], p["epsilon"], *p["g"][:2], *scene["q"], *scene["v"], time])
+    poses = truth[["x_m", "y_m", "theta_rad"]].to_numpy().tolist()
+    assert len(asked) == 11 * 20
+    for pose, found in zip(poses, answers(other, asked), strict=True):
+        assert pose == pytest.approx([float(x) for x in found[:3]], abs=1e-12, rel=1e-12)
+
+
 @pytest.mark.parametrize("count", [400, pytest.param(10_000, marks=pytest.mark.long)])
-def test_no_error_is_above_its_bound(tmp_path: Path, count: int) -> None:
-    other = tmp_path / "second_truth"
-    options = ["-O2", "-std=f2008", "-Wall", "-Werror", "-J", str(tmp_path)]
-    subprocess.run(["gfortran", *options, SOURCE, "-o", other], check=True)
+def test_no_error_is_above_its_bound(other: Path, count: int) -> None:
     asked = list(scenes(count))
-    # All digits: a quadruple number that is read from fewer isn't the double.
-    lines = "".join(" ".join(f"{x:.60e}" for x in scene) + "\n" for scene in asked)
-    promised, true = answers(BUILD / "ask_bounds", lines), answers(other, lines)
+    promised, true = answers(BUILD / "ask_bounds", asked), answers(other, asked)
     assert len(promised) == len(true) == count
     refused, ratios = 0, []
     for scene, own, found in zip(asked, promised, true):
