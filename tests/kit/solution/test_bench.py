@@ -104,10 +104,12 @@ def test_the_adapters_to_begin_with_agree(tmp_path: Path) -> None:
     assert len(told[0]["q"]) == 3 and all(one["ns"] > 0 for one in told)
 
 
-def test_a_flat_drop_tells_the_restitution_that_an_engine_gives() -> None:
+def test_a_drop_tells_the_restitution_and_the_friction_that_an_engine_gives() -> None:
     command = [str(ADAPTERS / name) for name in ("flat_drop.py", "adapter.py")]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
-    rows = [[float(x) for x in line.split()] for line in done.stdout.splitlines()[1:]]
-    assert len(rows) == 4
-    for epsilon, _, *found in rows:
+    lines = [line.split() for line in done.stdout.splitlines() if "epsilon" not in line]
+    rows = [[float(x) for x in line] for line in lines]
+    assert len(rows) == 8
+    for epsilon, _, *found in rows[:4]:
         assert found[-1] == pytest.approx(epsilon, abs=2e-3) and found == sorted(found)
+    assert not any(x for _, _, *found in rows[4:] for x in found), "the example has no friction"
