@@ -81,7 +81,7 @@ def _measured(adapter: Path, scene: dict[str, Any], step: float, truth: Any) -> 
     return {"scene": scene["name"], **times_row}
 
 
-def _read(printed: str) -> tuple[list[list[float]], float]:
+def _read(printed: bytes) -> tuple[list[list[float]], float]:
     """Poses and nanoseconds of an answer, as adapter.schema.json describes it: JSON has null for a
     number that isn't finite."""
     answer = json.loads(printed)
