@@ -1,5 +1,5 @@
 """./kit study bench ADAPTER: how fast and how exact an engine is in the study's scenes, beside the
-study's methods. docs/studies/bench.md says what an adapter is."""
+study's methods. docs/studies/bench/README.md says what an adapter is."""
 
 import json
 import math
@@ -66,20 +66,29 @@ def _measured(adapter: Path, scene: dict[str, Any], step: float, truth: Any) -> 
     if not done.ok:
         raise UsageError(f"{where} failed: {done.err.strip()[-200:] or f'status {done.code}'}")
     try:
-        answer = json.loads(done.out)
-        poses, ns = [[float(x) for x in pose] for pose in answer["q"]], float(answer["ns"])
+        poses, ns = _read(done.out)
         expected = truth[["x_m", "y_m", "theta_rad"]].to_numpy()
         rho = params["l"] / math.sqrt(2)
         errors = [
             math.hypot(x - a, y - b, rho * math.remainder(theta - c, 2 * math.pi))
             for (x, y, theta), (a, b, c) in zip(poses, expected, strict=True)
         ]
-    except (ValueError, TypeError, LookupError) as problem:
+    except (ValueError, TypeError, LookupError, OverflowError) as problem:
         wanted = f'{{"q": [[x, y, theta] for each of {len(times)} times], "ns": nanoseconds}}'
         raise UsageError(f"{where} printed no {wanted}: {problem}") from problem
     error = max(errors) if all(map(math.isfinite, errors)) else math.inf
     times_row = {"setting": step, tables.TIME: ns / times[-1], "error_m": error}
     return {"scene": scene["name"], **times_row}
+
+
+def _read(printed: bytes) -> tuple[list[list[float]], float]:
+    """Poses and nanoseconds of an answer, as adapter.schema.json describes it: JSON has null for a
+    number that isn't finite."""
+    answer = json.loads(printed)
+    poses = [[math.nan if x is None else x + 0.0 for x in pose] for pose in answer["q"]]
+    if not 0 < answer["ns"] < math.inf:
+        raise ValueError("ns is not positive")
+    return poses, answer["ns"] + 0.0
 
 
 def _table(runs: Any, beside: Any) -> str:

@@ -155,7 +155,10 @@ def peers(tables: Tables) -> Facts:
             }
         )
     nearest = ratios.loc[ratios["times"].idxmin()]
+    near = runs[np.isclose(runs["setting"], STEP, rtol=0.1)]
+    flight = near[near["scene"] == "free_flight"].groupby("method")[TIME].mean()
     return {
+        "siconos_flight": flight.get("siconos", np.nan) / flight.get("assignment", np.nan),
         "peers": pd.DataFrame(rows),
         "peer_ahead": int((ratios.groupby("scene")["times"].min() < 1).sum()),
         "peer_scenes": runs["scene"].nunique(),

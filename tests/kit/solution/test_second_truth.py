@@ -60,21 +60,18 @@ def scenes(count: int) -> Iterator[Numbers]:
         ]
 
 
-def answers(program: Path, lines: str) -> list[list[str]]:
+def answers(program: Path, asked: list[Numbers]) -> list[list[str]]:
+    """All digits are asked: a quadruple number that is read from fewer isn't the double."""
+    lines = "".join(" ".join(f"{x:.60e}" for x in scene) + "\n" for scene in asked)
     done = subprocess.run([program], input=lines, capture_output=True, text=True, check=True)
     return [line.split() for line in done.stdout.splitlines()]
-
-
-def in_all_digits(asked: list[Numbers]) -> str:
-    """A quadruple number that is read from fewer isn't the double."""
-    return "".join(" ".join(f"{x:.60e}" for x in scene) + "\n" for scene in asked)
 
 
 def second_truth(folder: Path, asked: list[Numbers]) -> list[list[str]]:
     """x, y, theta, v_x, v_y and omega of each scene, or "refused" and why."""
     options = ["-O2", "-std=f2008", "-Wall", "-Werror", "-J", str(folder)]
     subprocess.run(["gfortran", *options, SOURCE, "-o", folder / "second_truth"], check=True)
-    return answers(folder / "second_truth", in_all_digits(asked))
+    return answers(folder / "second_truth", asked)
 
 
 def off(one: list[str], two: list[str], l: float) -> float:
@@ -104,7 +101,7 @@ def test_it_confirms_the_truth_of_each_scene(tmp_path: Path) -> None:
 @pytest.mark.parametrize("count", [400, pytest.param(10_000, marks=pytest.mark.long)])
 def test_no_error_is_above_its_bound(tmp_path: Path, count: int) -> None:
     asked = list(scenes(count))
-    promised = answers(BUILD / "ask_bounds", in_all_digits(asked))
+    promised = answers(BUILD / "ask_bounds", asked)
     true = second_truth(tmp_path, asked)
     assert len(promised) == len(true) == count
     refused, ratios = 0, []
