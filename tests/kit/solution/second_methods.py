@@ -178,7 +178,7 @@ def damping_ratio(epsilon: float) -> float:
 def penalty(s: Squares) -> Squares:
     """A spring and a damper at each corner below the ground; pi is half an oscillation, which takes
     sqrt(dt 0.25 s)."""
-    r = s.l / np.sqrt(2) * np.exp(1j * (s.theta + np.pi / 4 + np.pi / 2 * np.arange(4)[:, None]))
+    r = np.array([[1 + 1j], [-1 + 1j], [-1 - 1j], [1 - 1j]]) * s.l / 2 * np.exp(1j * s.theta)
     depth, v, k = -(s.z.imag + r.imag), corner_velocity(s, r), s.l**2 / 6
     below = depth > 0
     a = below.sum(axis=0) + r.real * (r.real * below).sum(axis=0) / k
