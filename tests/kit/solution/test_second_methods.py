@@ -295,13 +295,6 @@ def apart(one: Any, other: Any, l: Any) -> Any:
     return np.sqrt(x**2 + y**2 + l**2 / 2 * theta**2)
 
 
-def test_the_reference_motions(tmp_path: Path) -> None:
-    rows = table("truth", "fixtures/study")
-    found = exact(tmp_path, [(scene_of(row["scene"]), float(row["t_s"])) for row in rows])
-    told = np.array([[float(row[name]) for name in ("x_m", "y_m", "theta_rad")] for row in rows])
-    assert apart(found[:, :3], told, 0.2).max() < 1e-14
-
-
 def test_event_driven_rows(tmp_path: Path) -> None:
     moves = [("rest_and_drift", name) for name in ("height_m", "depth_m", "drift_m")]
     for name, column in [*moves, ("slope_and_energy", "off")]:
