@@ -42,9 +42,8 @@ json data_of(const Drawing& drawing) {
     refuse("q has " + std::to_string(q.cols()) + " columns, and v has " + std::to_string(v.cols()));
   require_finite(q, "q");
   require_finite(v, "v");
-  json data{{"l", p.l}, {"dt", p.dt}, {"delta", p.delta}, {"q", rows_of(q)}};
-  data["title"] = title;
-  data["about"] = about;
+  json data{{"l", p.l},        {"dt", p.dt},     {"delta", p.delta},
+            {"q", rows_of(q)}, {"title", title}, {"about", about}};
   data["motion"] = nullptr;
   if (v.cols() > 0) {
     data["motion"] = {{"m", p.m}, {"mu", p.mu}, {"epsilon", p.epsilon}, {"v", rows_of(v)}};

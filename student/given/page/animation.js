@@ -17,8 +17,7 @@ if (animation.about) byId("about").textContent = animation.about;
 // Till its first contact a right program is off by flight alone.
 const last = lows.findIndex(({ y }) => y < delta) - 1;
 if (right && last > 0) {
-  const [x, y] = [0, 1].map((i) => right[i][last] - q[i][last]);
-  const off = `${digits(100 * Math.hypot(x, y), 2)} cm`;
-  byId("apart").append(` Here, just before its first contact, it is ${off} off.`);
+  const off = digits(100 * Math.hypot(...[0, 1].map((i) => right[i][last] - q[i][last])), 2);
+  byId("apart").append(` Here, just before its first contact, it is ${off} cm off.`);
 }
 if (!media("prefers-reduced-motion: reduce").matches) setPlaying(true);

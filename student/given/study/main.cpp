@@ -21,7 +21,7 @@ namespace {
 constexpr double kRounding = 1e-9;             // m
 constexpr double kAboutAsLong = 1.2;           // two measurements of one program differ by as much
 constexpr std::size_t kUsual = 1, kTenth = 4;  // the runs with dt = 0.01 s and with a tenth of it
-constexpr double kFinest = 1e-4;               // s, of which the causes are told apart
+constexpr double kFinest = 9e-5;  // s: the causes are told apart of steps that are longer
 constexpr const char* kUnusable =
     "Your program returns NaN, or another number of columns, somewhere here: ./check says where.";
 
@@ -41,58 +41,59 @@ bool is_usable(const std::vector<Run>& runs) {
   return std::isfinite(std::max_element(runs.begin(), runs.end(), less)->error);
 }
 
-std::string with_step(const Run& run) { return ", with dt = " + number(run.dt) + " s"; }
-std::string with_error(const Measured& of, const Run& run) {
-  return of.scene.title + with_step(run) + ": " + length(run.error) + " off";
-}
+std::string with_step(const Run& run) { return "with dt = " + number(run.dt) + " s"; }
+std::string percent(double share) { return number(share, "%.0f") + " %"; }
 
 // The time of a step, and beside the course's program at about the same one, which the scene has in
 // calls of solve_lcp.
 std::string speed(const Measured& of) {
   const Run& run = of.fixed[kUsual];
   const double course = of.scene.others[0]["reached"][0][0].get<double>() * of.one_lcp;
-  return "In " + of.scene.title + with_step(run) + ", a step takes " +
+  return "In " + of.scene.title + ", " + with_step(run) + ", a step takes " +
          number(run.seconds * run.dt * 1e6, "%.2g") +
          " \xc2\xb5s in the mean of flight and contact: " + rounded(1 / run.seconds) +
          " times faster than real time. The course's program would take about " +
          number(course * run.dt * 1e6, "%.2g") + " \xc2\xb5s here.";
 }
 
-// What each cause makes alone, of the sum of these: the cause and its share, %; the largest first.
-std::vector<std::pair<double, std::size_t>> shares(const std::array<double, 4>& causes) {
+// What each cause makes alone, of the sum of these, %.
+std::array<double, 4> shares(std::array<double, 4> causes) {
   const double sum = std::max(kRounding, std::accumulate(causes.begin(), causes.end(), 0.0));
-  std::vector<std::pair<double, std::size_t>> all;
-  for (std::size_t i = 0; i < causes.size(); ++i) all.emplace_back(100 * causes[i] / sum, i);
-  std::sort(all.rbegin(), all.rend());
-  return all;
+  for (double& cause : causes) cause *= 100 / sum;
+  return causes;
+}
+
+template <class Numbers>
+std::size_t largest(const Numbers& all) {
+  return static_cast<std::size_t>(std::max_element(all.begin(), all.end()) - all.begin());
 }
 
 // The causes with the usual step, and what a tenth does of what the largest one shrinks with.
 std::string error(const Measured& of) {
+  const Run& run = of.fixed[kUsual];
   const auto all = shares(of.causes[kUsual]);
-  std::string text = with_error(of, of.fixed[kUsual]) + ". Causes:";
-  for (const auto& [share, cause] : all)
-    if (share >= 1) text += std::string(" ") + kCauses[cause] + " " + number(share, "%.0f") + " %,";
-  const bool is_of_step = all[0].second < 2;
-  const Run& next = (is_of_step ? of.fixed : of.scaled)[kTenth];
-  text.back() = '.';
-  return text + " Next: a tenth of dt " + (is_of_step ? "" : "and of delta ") + "makes it " +
-         length(next.error) + ".";
+  std::string text = of.scene.title + ", " + with_step(run) + ": " + length(run.error) + " off";
+  for (std::size_t i = 0; i < all.size(); ++i)
+    text += (i ? ", " : ", by ") + std::string(kCauses[i]) + " " + percent(all[i]);
+  const bool is_of_step = largest(all) < 2;
+  return text + ". Next, for the largest: a tenth of dt " + (is_of_step ? "" : "and of delta ") +
+         "makes it " + length((is_of_step ? of.fixed : of.scaled)[kTenth].error) + ".";
 }
 
 // The best that the program reaches, what keeps it from more, and what helps.
 std::string accuracy(const Measured& of) {
   const Run &mine = best(of.fixed), &other = best(of.scaled);
   const Run& fine = of.fixed[of.causes.size() - 1];
-  const auto [share, cause] = shares(of.causes.back())[0];
-  std::string text = with_error(of, mine) + " at best";
+  const auto all = shares(of.causes.back());
+  std::string text =
+      of.scene.title + ": " + length(mine.error) + " off at best, " + with_step(mine) + ".";
   if (fine.dt < mine.dt)
-    text += ", and " + length(fine.error) + with_step(fine) + ": there " + kCauses[cause] +
-            " is the cause, " + number(share, "%.0f") + " %";
+    text += " A smaller step does not help: " + with_step(fine) + " it is " + length(fine.error) +
+            ", " + percent(all[largest(all)]) + " by " + kCauses[largest(all)] + ".";
   if (other.error < mine.error)
-    text += ". Next: delta in proportion to dt, 0.1 m/s dt, makes it " + length(other.error) +
-            with_step(other);
-  return text + ".";
+    text += " Next: shrink delta with dt; delta = 0.1 m/s dt makes it " + length(other.error) +
+            ", " + with_step(other) + ".";
+  return text;
 }
 
 // What the other methods reach in the time of that best run.
@@ -113,8 +114,8 @@ std::string in_the_same_time(const Measured& of) {
                                  : " reaches " + length(least)) +
             (least > mine.error && !std::isinf(least) ? ", worse than yours" : "");
   }
-  return text + ". Times of the others are scaled to this machine by the time of one solve_lcp (" +
-         number(of.one_lcp * 1e9) + " ns).";
+  return text + ". Times of the others are scaled to this machine by the time of one solve_lcp, " +
+         number(of.one_lcp * 1e9) + " ns.";
 }
 
 // Error over time, beside other methods; and error over step, beside what makes it.
@@ -160,9 +161,9 @@ json charts_of(const Measured& of, const std::string& reached, const std::string
 // A column of the table of causes: of each its error, and its share in %; and the error of all.
 json column_of(const Measured& of) {
   json cells(5, nullptr);
-  for (const auto& [share, cause] : shares(of.causes[kUsual])) {
-    const std::string alone = length(of.causes[kUsual][cause]);
-    cells[cause] = {alone + ", " + number(share, "%.0f") + " %", share};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double share = shares(of.causes[kUsual])[i];
+    cells[i] = {length(of.causes[kUsual][i]) + ", " + percent(share), share};
   }
   cells[4] = {length(of.fixed[kUsual].error), 0};
   return {{"title", of.scene.title}, {"cells", cells}};
