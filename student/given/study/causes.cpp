@@ -9,6 +9,7 @@ namespace {
 constexpr int kLandings = 4;  // that are found within a step
 constexpr int kHalvings = 45;
 constexpr double kNoTime = 1e-9, kNoDelta = 1e-6;  // of dt and of delta, in place of none
+constexpr double kClear = 1e-12;  // m: so deep no rounding hides a contact from your step
 
 // The causes that a run is left with.
 struct Left {
@@ -16,7 +17,7 @@ struct Left {
 };
 
 bool touches(const State& s, const Parameters& params) {
-  return lowest_heights(s.q, params.l)[0] < params.delta;
+  return lowest_heights(s.q, params.l)[0] < params.delta - kClear;
 }
 
 // Your step, as long as `dt`. To fly without error it begins with the velocity of half a step

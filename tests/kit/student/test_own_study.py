@@ -129,6 +129,11 @@ def test_studies_the_students_own_parts(home: Path) -> None:
     assert columns == CAUSES
     for said in (*CAUSES["Tumble"][:3], CAUSES["Tumble"][4], "2.25 mm"):
         assert said.split(",")[0] in EXPLORE
+    [steps] = [chart for chart in study["charts"] if chart["id"] == "step-tumble"]
+    alone = {line["name"]: [y for _, y in line["points"]] for line in steps["lines"]}
+    assert alone["delta alone"] == pytest.approx([4.836277e-3] * 8, rel=1e-6)  # at each dt
+    flight = [3.2439e-2, 1.7629e-2, 9.0983e-3, 3.7558e-3, 1.8939e-3, 9.517e-4, 3.816e-4]
+    assert alone["flight alone"][:7] == pytest.approx(flight, rel=1e-3)
     assert not study["wrong"]
     assert [trial["found"] for trial in study["trials"]] == [
         "from epsilon = 0.81 on some impacts gain energy, up to 56 %",
