@@ -113,7 +113,7 @@ Drawing many(const std::vector<std::string>& words) {
   drawing.params.dt *= n;
   drawing.title = "200 throws, almost alike";
   drawing.about = "T = " + std::to_string(scene.params.T) +
-                  ", \xce\x94t = " + study::number(scene.params.dt) + " s" +
+                  ", dt = " + study::number(scene.params.dt) + " s" +
                   (n > 1 ? "; one column of " + std::to_string(n) + " is drawn" : "");
   for (int k = 0; k < kSquares; ++k) {
     State start = scene.start;
