@@ -37,21 +37,21 @@ int write(const bounce::Drawing& drawing, const std::filesystem::path& page) {
   return 0;
 }
 
-// Into a page of its own, so that two can be compared: tumble_epsilon=1.html.
-int animate_scene(const Words& words) {
-  std::string page;
+// A page of its own, so that two can be compared: tumble_epsilon=1.html.
+std::string page_of(std::string page, const Words& words) {
   for (const std::string& word : words) page += (page.empty() ? "" : "_") + word;
-  return write(bounce::drawing_of(words), page + ".html");
+  return page + ".html";
 }
 
 int run(const std::string& program, const Words& words) {
-  const std::string option = words.empty() ? "" : words[0];
   if (words.empty()) {
     const auto params = scene_parameters();
     return write({bounce::simulated({q_0, v_0}, params), params}, "animation.html");
   }
-  if (option == "--scene") return animate_scene({words.begin() + 1, words.end()});
-  if (option == "--many") return write(bounce::many({words.begin() + 1, words.end()}), "many.html");
+  const std::string option = words[0];
+  const Words others(words.begin() + 1, words.end());
+  if (option == "--scene") return write(bounce::drawing_of(others), page_of("", others));
+  if (option == "--many") return write(bounce::many(others), page_of("many", others));
   if (option == "--play" && words.size() == 1) return bounce::serve(program);
   if (option == "--worked" && words.size() == 1) {
     bounce::worked_example();

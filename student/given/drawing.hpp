@@ -14,7 +14,7 @@ struct Drawing {
   Trajectory trajectory;  // without v, no forces, energies and true motion are drawn
   Parameters params;
   std::vector<Eigen::Matrix3Xd> many{};  // more trajectories, drawn thin
-  std::string title{};                   // "" for the usual one
+  std::string title{}, about{};          // "" for the usual ones
 };
 
 // What the page's script reads. Throws std::invalid_argument where it can't be drawn.

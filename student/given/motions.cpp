@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "drawing.hpp"
-#include "paths.hpp"  // which CMakeLists.txt makes
+#include "study/page.hpp"
 #include "study/tables.hpp"
 
 namespace bounce {
@@ -112,6 +112,9 @@ Drawing many(const std::vector<std::string>& words) {
   drawing.params = scene.params;
   drawing.params.dt *= n;
   drawing.title = "200 throws, almost alike";
+  drawing.about = "T = " + std::to_string(scene.params.T) +
+                  ", dt = " + study::number(scene.params.dt) + " s" +
+                  (n > 1 ? "; one column of " + std::to_string(n) + " is drawn" : "");
   for (int k = 0; k < kSquares; ++k) {
     State start = scene.start;
     start.q(2) += kSpread * (k / (kSquares - 1.0) - 0.5);

@@ -32,7 +32,7 @@ json rows_of(const Eigen::Matrix3Xd& q) {
 }  // namespace
 
 json data_of(const Drawing& drawing) {
-  const auto& [trajectory, p, many, title] = drawing;
+  const auto& [trajectory, p, many, title, about] = drawing;
   const auto& [q, v] = trajectory;
   const double all = p.l + p.dt + p.delta + p.m + p.mu + p.epsilon + p.g.sum();
   if (!(p.l > 0 && p.dt > 0) || !std::isfinite(all))
@@ -42,7 +42,8 @@ json data_of(const Drawing& drawing) {
     refuse("q has " + std::to_string(q.cols()) + " columns, and v has " + std::to_string(v.cols()));
   require_finite(q, "q");
   require_finite(v, "v");
-  json data{{"l", p.l}, {"dt", p.dt}, {"delta", p.delta}, {"q", rows_of(q)}, {"title", title}};
+  json data{{"l", p.l},        {"dt", p.dt},     {"delta", p.delta},
+            {"q", rows_of(q)}, {"title", title}, {"about", about}};
   data["motion"] = nullptr;
   if (v.cols() > 0) {
     data["motion"] = {{"m", p.m}, {"mu", p.mu}, {"epsilon", p.epsilon}, {"v", rows_of(v)}};

@@ -12,4 +12,12 @@ function trueMotion({ q, motion, ...numbers }) {
 }
 
 present({ ...animation, right: trueMotion(animation) });
+if (animation.about) byId("about").textContent = animation.about;
+
+// Till its first contact a right program is off by flight alone.
+const last = lows.findIndex(({ y }) => y < delta) - 1;
+if (right && last > 0) {
+  const off = digits(100 * Math.hypot(...[0, 1].map((i) => right[i][last] - q[i][last])), 2);
+  byId("apart").append(` Here, just before its first contact, it is ${off} cm off.`);
+}
 if (!media("prefers-reduced-motion: reduce").matches) setPlaying(true);

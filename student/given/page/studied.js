@@ -8,6 +8,14 @@ for (const { about, text, chart, question } of study.verdicts) {
   const links = [link(`#${chart}`, "Chart"), ", ", link("explore.html", `question ${question}`)];
   byId("verdict").lastElementChild.append(make("p", {}, `${text} `, ...links, "."));
 }
+const [head, ...causes] = byId("causes").rows;
+for (const { title, cells } of study.causes) {
+  head.append(make("th", { scope: "col" }, title));
+  cells.forEach(([words, share], i) => {
+    const bar = make("div", { class: "bar own", style: `width: ${share}%` });
+    causes[i].append(make("td", {}, words, share ? bar : ""));
+  });
+}
 for (const { name, found, lines } of study.trials) {
   const { textContent: sentence, dataset } = byId(`about-${name}`); // which the page has
   const [title, , cell] = byId(`row-${name}`).cells;

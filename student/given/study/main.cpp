@@ -10,6 +10,7 @@
 #include <cmath>
 #include <exception>
 #include <iostream>
+#include <numeric>
 
 #include "measure.hpp"
 #include "page.hpp"
@@ -17,80 +18,111 @@
 namespace bounce::study {
 namespace {
 
-constexpr double kRounding = 1e-9;    // m
-constexpr double kAboutAsLong = 1.2;  // two measurements of one program differ by as much
+constexpr double kRounding = 1e-9;             // m
+constexpr double kAboutAsLong = 1.2;           // two measurements of one program differ by as much
+constexpr std::size_t kUsual = 1, kTenth = 4;  // the runs with dt = 0.01 s and with a tenth of it
+constexpr double kFinest = 9e-5;  // s: the causes are told apart of steps that are longer
 constexpr const char* kUnusable =
     "Your program returns NaN, or another number of columns, somewhere here: ./check says where.";
 
+// A scene, the runs of it, and the causes of the error of the first ones with a fixed delta.
+struct Measured {
+  const Scene& scene;
+  double one_lcp;
+  std::vector<Run> fixed = runs(scene, Lift::fixed), scaled = runs(scene, Lift::scaled);
+  std::vector<std::array<double, 4>> causes{};
+};
+
+bool less(const Run& a, const Run& b) { return a.error < b.error; }
+const Run& best(const std::vector<Run>& runs) {
+  return *std::min_element(runs.begin(), runs.end(), less);
+}
 bool is_usable(const std::vector<Run>& runs) {
-  return std::all_of(runs.begin(), runs.end(), [](const Run& r) { return std::isfinite(r.error); });
+  return std::isfinite(std::max_element(runs.begin(), runs.end(), less)->error);
 }
 
-using Runs = std::vector<Run>::const_iterator;
-
-Runs best(Runs begin, Runs end) {
-  return std::min_element(begin, end, [](const Run& a, const Run& b) { return a.error < b.error; });
-}
+std::string with_step(const Run& run) { return "with dt = " + number(run.dt) + " s"; }
+std::string percent(double share) { return number(share, "%.0f") + " %"; }
 
 // The time of a step, and beside the course's program at about the same one, which the scene has in
 // calls of solve_lcp.
-std::string speed(const Scene& scene, const Run& run, double one_lcp) {
-  if (!std::isfinite(run.error)) return kUnusable;
-  const double course = scene.others[0]["reached"][0][0].get<double>() * one_lcp;
-  return "In " + scene.title + ", with dt = " + number(run.dt) + " s, a step takes " +
+std::string speed(const Measured& of) {
+  const Run& run = of.fixed[kUsual];
+  const double course = of.scene.others[0]["reached"][0][0].get<double>() * of.one_lcp;
+  return "In " + of.scene.title + ", " + with_step(run) + ", a step takes " +
          number(run.seconds * run.dt * 1e6, "%.2g") +
          " \xc2\xb5s in the mean of flight and contact: " + rounded(1 / run.seconds) +
-         " times faster than real time. The course's program, measured elsewhere, is estimated to "
-         "take " +
+         " times faster than real time. The course's program would take about " +
          number(course * run.dt * 1e6, "%.2g") + " \xc2\xb5s here.";
 }
 
-// The best that the program reaches, and from which run on a smaller step gains less than half of
-// its error.
-std::string accuracy(const Scene& scene, const std::vector<Run>& fixed) {
-  if (!is_usable(fixed)) return kUnusable;
-  const Runs mine = best(fixed.begin(), fixed.end());
-  const auto gains = [&](const Run& run) {
-    const Runs after = fixed.begin() + (&run - fixed.data()) + 1;
-    return after != fixed.end() && best(after, fixed.end())->error <= run.error / 2;
-  };
-  const Runs stalls = std::find_if_not(fixed.begin(), fixed.end() - 1, gains);
-  const std::string reaches = scene.title + ": " + length(mine->error) +
-                              " off at best, with dt = " + number(mine->dt) + " s.";
-  if (stalls + 1 == fixed.end()) return reaches + " Each smaller step helps.";
-  return reaches + " Below dt = " + number(stalls->dt) + " s a smaller step " +
-         (stalls->error <= mine->error ? "no longer helps"
-                                       : "takes away less than half of the error") +
-         ", while delta stays at " + length(scene.params.delta) + ".";
+// What each cause makes alone, of the sum of these, %.
+std::array<double, 4> shares(std::array<double, 4> causes) {
+  const double sum = std::max(kRounding, std::accumulate(causes.begin(), causes.end(), 0.0));
+  for (double& cause : causes) cause *= 100 / sum;
+  return causes;
+}
+
+template <class Numbers>
+std::size_t largest(const Numbers& all) {
+  return static_cast<std::size_t>(std::max_element(all.begin(), all.end()) - all.begin());
+}
+
+// The causes with the usual step, and what a tenth does of what the largest one shrinks with.
+std::string error(const Measured& of) {
+  const Run& run = of.fixed[kUsual];
+  const auto all = shares(of.causes[kUsual]);
+  std::string text = of.scene.title + ", " + with_step(run) + ": " + length(run.error) + " off";
+  for (std::size_t i = 0; i < all.size(); ++i)
+    text += (i ? ", " : ", by ") + std::string(kCauses[i]) + " " + percent(all[i]);
+  const bool is_of_step = largest(all) < 2;
+  return text + ". Next, for the largest: a tenth of dt " + (is_of_step ? "" : "and of delta ") +
+         "makes it " + length((is_of_step ? of.fixed : of.scaled)[kTenth].error) + ".";
+}
+
+// The best that the program reaches, what keeps it from more, and what helps.
+std::string accuracy(const Measured& of) {
+  const Run &mine = best(of.fixed), &other = best(of.scaled);
+  const Run& fine = of.fixed[of.causes.size() - 1];
+  const auto all = shares(of.causes.back());
+  std::string text =
+      of.scene.title + ": " + length(mine.error) + " off at best, " + with_step(mine) + ".";
+  if (fine.dt < mine.dt)
+    text += " A smaller step does not help: " + with_step(fine) + " it is " + length(fine.error) +
+            ", " + percent(all[largest(all)]) + " by " + kCauses[largest(all)] + ".";
+  if (other.error < mine.error)
+    text += " Next: shrink delta with dt; delta = 0.1 m/s dt makes it " + length(other.error) +
+            ", " + with_step(other) + ".";
+  return text;
 }
 
 // What the other methods reach in the time of that best run.
-std::string in_the_same_time(const Scene& scene, const std::vector<Run>& fixed, double one_lcp) {
-  if (!is_usable(fixed)) return kUnusable;
-  const double time = best(fixed.begin(), fixed.end())->seconds / one_lcp;
-  std::string text = "In the time of your best run, and a fifth more,";
-  for (const json& method : scene.others) {
-    if (&method == &scene.others.front()) continue;  // the course's program
+std::string in_the_same_time(const Measured& of) {
+  const Run& mine = best(of.fixed);
+  std::string text = "Given " + number(kAboutAsLong) + " times the time of your best run,";
+  for (const json& method : of.scene.others) {
+    if (&method == &of.scene.others.front()) continue;  // the course's program
     double least = INFINITY;
     for (const json& reached : method["reached"]) {
-      if (reached[0] <= kAboutAsLong * time) least = std::min<double>(least, reached[1]);
+      if (reached[0] <= kAboutAsLong * mine.seconds / of.one_lcp)
+        least = std::min<double>(least, reached[1]);
     }
-    text += (&method == &scene.others.back() ? ", and the " : " the ") +
+    text += (&method == &of.scene.others.back() ? ", and the " : " the ") +
             std::string(method["name"]) +
             (std::isinf(least)   ? " takes longer"
              : least < kRounding ? " is right to rounding"
-                                 : " reaches " + length(least));
+                                 : " reaches " + length(least)) +
+            (least > mine.error && !std::isinf(least) ? ", worse than yours" : "");
   }
-  return text + ". Both were measured elsewhere, in calls of solve_lcp, each of which takes " +
-         number(one_lcp * 1e9) + " ns here. Moreau and Jean founded such time steps.";
+  return text + ". Times of the others are scaled to this machine by the time of one solve_lcp, " +
+         number(of.one_lcp * 1e9) + " ns.";
 }
 
-// Error over time, beside other methods; and error over step.
-json charts_of(const Scene& scene, const std::vector<Run>& fixed, const std::vector<Run>& scaled,
-               double one_lcp) {
+// Error over time, beside other methods; and error over step, beside what makes it.
+json charts_of(const Measured& of, const std::string& reached, const std::string& best) {
   json times, steps;
   for (const auto& [name, runs] :
-       {std::pair("delta fixed", &fixed), {"delta = 0.1 m/s dt", &scaled}}) {
+       {std::pair("delta fixed", &of.fixed), {"delta = 0.1 m/s dt", &of.scaled}}) {
     Points over_time, over_step;
     for (const Run& r : *runs) {
       over_time.emplace_back(r.seconds * 1e6, r.error);
@@ -99,25 +131,42 @@ json charts_of(const Scene& scene, const std::vector<Run>& fixed, const std::vec
     times.push_back(line(std::string("yours, ") + name, over_time));
     steps.push_back(line(name, over_step));
   }
-  for (const json& method : scene.others) {
+  for (const json& method : of.scene.others) {
     Points all;
     for (const json& reached : method["reached"])
-      all.emplace_back(reached[0].get<double>() * one_lcp * 1e6, reached[1]);
+      all.emplace_back(reached[0].get<double>() * of.one_lcp * 1e6, reached[1]);
     times.push_back(line(method["name"], all, "other"));
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    Points all;
+    for (std::size_t k = 0; k < of.causes.size(); ++k)
+      all.emplace_back(of.fixed[k].dt, of.causes[k][i]);
+    steps.push_back(line(std::string(kCauses[i]) + " alone", all, "other"));
   }
   const auto chart = [&](const std::string& id, const std::string& title, const char* x,
                          const json& lines, const std::string& sentence) -> json {
     // What is 0 or below 1e-9 is drawn apart, below an axis that is logarithmic.
-    return {{"id", id + "-" + scene.name},
-            {"title", scene.title + ": " + title},
+    return {{"id", id + "-" + of.scene.name},
+            {"title", of.scene.title + ": " + title},
             {"x", {{"name", x}, {"log", true}}},
             {"y", {{"name", "error, m"}, {"log", true}}},
             {"lines", lines},
             {"sentence", sentence}};
   };
   return {chart("time", "Error over time", "time of a simulated second, \xc2\xb5s here", times,
-                in_the_same_time(scene, fixed, one_lcp)),
-          chart("step", "Error over step", "dt, s", steps, accuracy(scene, fixed))};
+                reached),
+          chart("step", "Error over step", "dt, s", steps, best)};
+}
+
+// A column of the table of causes: of each its error, and its share in %; and the error of all.
+json column_of(const Measured& of) {
+  json cells(5, nullptr);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double share = shares(of.causes[kUsual])[i];
+    cells[i] = {length(of.causes[kUsual][i]) + ", " + percent(share), share};
+  }
+  cells[4] = {length(of.fixed[kUsual].error), 0};
+  return {{"title", of.scene.title}, {"cells", cells}};
 }
 
 std::string model(const Scene& scene) {
@@ -133,7 +182,7 @@ std::string model(const Scene& scene) {
 json study(const std::vector<Scene>& scenes, bool is_wrong) {
   const double one_lcp = lcp_seconds();
   const Scene& first = scenes.front();
-  json study{{"wrong", is_wrong}, {"trials", trials(first.params)}};
+  json study{{"wrong", is_wrong}, {"causes", json::array()}, {"trials", trials(first.params)}};
   // Of what the program is worth, the chart that shows it, and the question of Explore about it.
   const auto say = [&](const char* about, const std::string& text, const std::string& chart,
                        int question) {
@@ -143,13 +192,21 @@ json study(const std::vector<Scene>& scenes, bool is_wrong) {
   const std::string time = "time-" + first.name;
   for (const Scene& scene : scenes) {
     if (scene.truth.empty()) continue;
-    const std::vector<Run> fixed = runs(scene, Lift::fixed), scaled = runs(scene, Lift::scaled);
-    for (const json& chart : charts_of(scene, fixed, scaled, one_lcp))
+    Measured of{scene, one_lcp};
+    const bool usable = is_usable(of.fixed) && is_usable(of.scaled);
+    for (const Run& run : of.fixed)
+      if (usable && run.dt >= kFinest) of.causes.push_back(causes(scene, run.dt));
+    const auto told = [&](std::string (*sentence)(const Measured&)) {
+      return usable ? sentence(of) : kUnusable;
+    };
+    for (const json& chart : charts_of(of, told(in_the_same_time), told(accuracy)))
       study["charts"].push_back(chart);
+    if (usable) study["causes"].push_back(column_of(of));
     if (&scene != &first) continue;
-    say("speed", speed(scene, fixed[1], one_lcp), time, 7);  // with dt = 0.01 s
-    say("accuracy", accuracy(scene, fixed), "step-" + scene.name, 1);
-    say("", in_the_same_time(scene, fixed, one_lcp), time, 7);
+    say("speed", told(speed), time, 7);
+    say("accuracy", told(error), "causes", 1);
+    say("", told(accuracy), "step-" + scene.name, 1);
+    say("", told(in_the_same_time), time, 7);
   }
   const auto found = [&](int trial) { return std::string(study["trials"][trial]["found"]) + "."; };
   say("stability", "Large epsilon with friction: " + found(0), "impact", 3);

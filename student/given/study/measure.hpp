@@ -11,8 +11,8 @@ namespace bounce::study {
 // delta as the scene has it, or in proportion to dt: 0.1 m/s times dt.
 enum class Lift { fixed, scaled };
 
-// One run of a scene. `error` is the largest distance to the truth over the samples, an angle
-// counted as the way of a corner; infinite where the trajectory isn't finite or has another size.
+// One run of a scene. `error` is the largest distance to the truth; infinite where the trajectory
+// isn't finite or has another size.
 struct Run {
   double dt;       // s
   double error;    // m
@@ -21,6 +21,11 @@ struct Run {
 
 // From dt = 0.02 s to 1e-5 s.
 std::vector<Run> runs(const Scene& scene, Lift lift);
+
+// What takes the square off the truth with this step, m: the causes, each alone as far as it takes
+// it from where your own step does without all three; and as far as that is from the truth.
+inline constexpr std::array kCauses{"flight", "time of impact", "delta", "anything else"};
+std::array<double, 4> causes(const Scene& scene, double dt);
 
 // The time of one call of solve_lcp with the handout's worked example, s.
 double lcp_seconds();
@@ -34,6 +39,16 @@ std::array<int, 3> touches(const Scene& scene, double dt);
 json trials(const Parameters& params);
 
 // ---- for all that is measured ----
+
+// The scene's parameters with about this step: n of them lie between two places of the truth.
+struct Fitted {
+  Parameters params;
+  Eigen::Index n;
+};
+Fitted fit(const Scene& scene, double dt, Lift lift);
+
+// The largest distance between two squares, an angle counted as the way of a corner.
+double farthest(const std::vector<Vector3>& a, const std::vector<Vector3>& b, double l);
 
 // The motion with this step and for this long. Empty where it isn't finite, or of another size.
 std::optional<Trajectory> motion(const State& start, Parameters params, double dt, double seconds);

@@ -18,11 +18,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 // A trial with the lines of its chart. What was found in it is said, unless the program gave no
 // number.
 json trial(const char* name, double found, const std::string& sentence, const json& lines) {
-  const bool gives_none = std::isnan(found);
-  return {
-      {"name", name},
-      {"found", gives_none ? "NaN, or another number of columns: ./check says where" : sentence},
-      {"lines", lines}};
+  const char* none = "NaN, or another number of columns: ./check says where";
+  return {{"name", name}, {"found", std::isnan(found) ? none : sentence}, {"lines", lines}};
 }
 
 // What `measure` gives at each x, in a line for each step.

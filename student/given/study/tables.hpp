@@ -18,8 +18,8 @@ struct Scene {
   std::string name, title;
   Parameters params;
   State start;
-  json truth;   // rows t, x, y, theta, at even times t, the last one the end; empty where it isn't
-                // studied; s, m, m, rad
+  double between = 0;          // s from one place of the truth to the next, the last one the end
+  std::vector<Vector3> truth;  // where the square really is; empty where that isn't studied
   json others;  // methods, each with its "name" and what it "reached": rows time, error. The time
                 // is for a simulated second, in calls of solve_lcp (lcp_seconds in measure.hpp), so
                 // that it holds on every machine; the error in m
@@ -53,8 +53,13 @@ inline Parameters parameters_of(const json& p) {
 inline std::vector<Scene> read_scenes(const std::filesystem::path& file) {
   std::vector<Scene> scenes;
   for (const json& read : read_json(file)) {
-    scenes.push_back({read["name"], read["title"], parameters_of(read["params"]), state_of(read),
-                      read["truth"], read["others"]});
+    scenes.push_back({read["name"], read["title"], parameters_of(read["params"]), state_of(read)});
+    Scene& scene = scenes.back();
+    for (const json& row : read["truth"]) {
+      scene.truth.emplace_back(row[1].get<double>(), row[2].get<double>(), row[3].get<double>());
+    }
+    if (!scene.truth.empty()) scene.between = read["truth"][0][0];
+    scene.others = read["others"];
   }
   return scenes;
 }

@@ -30,7 +30,7 @@ def plain(text: str, home: Path) -> str:
     """What is printed, without what differs each time."""
     text = re.sub("check: building .*\n", "", text)
     text = re.sub(r"(Eigen3|GTest|nlohmann_json)-[\d.]+", r"\1", text)
-    text = re.sub(r"In Tumble, with dt [^(]*|In the time of your [^(]*", "TIMES ", text)
+    text = re.sub(r"In Tumble, with dt [^(]*|Given 1.2 times the time [^(]*", "TIMES ", text)
     text = re.sub(r"measured on \d\d \w+ at \d\d:\d\d", "measured on DAY", text)
     text = re.sub(r"-?\d(\.\d+)?e[+-]3\d\d", "UNSET", text)  # what happens to be in memory
     return text.replace(str(home), "FOLDER")

@@ -185,6 +185,10 @@ def test_shows_the_true_motion_beside_it(open_page: Open, file: Path, tmp_path: 
     page.slide(100)
     both = page.pixels("right")
     assert both > 20 and page.find("other").is_displayed()
+    shown = animation(file.read_text("utf-8"))
+    first = next(t for t in range(150) if distance(shown, t) < shown["delta"])
+    fallen = 100 * 9.81 * shown["dt"] * (first - 1) * shown["dt"] / 2
+    assert f"just before its first contact, it is {fallen:.2g} cm off" in page.find("apart").text
     assert [name for name, *_ in page.driver.execute_script(LINES)[0]] == [
         "\N{GREEK SMALL LETTER PHI}",
         "dashed",
