@@ -1,9 +1,14 @@
-"""The parts and their checks, from grader/parts.json, the only place that defines points."""
+"""The parts and their checks, from grader/parts.json, the only place that defines points.
+
+A part's points are the sum of its checks'. A part may have a number of points itself: then its
+checks share it in proportion to theirs, in whole points, since some services and ./check take no
+others.
+"""
 
 import json
 import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -11,6 +16,15 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import ROOT
 
 NAME = "grader/parts.json"
+# What an entry holds; points are looked at separately.
+FORMS: dict[str, dict[str, Any]] = {
+    "part": {
+        **{"part": int, "stem": str, "title": str, "function": str},
+        **{"checks": list, "calls": list},
+    },
+    "check": {"id": str, "title": str, "points": object},
+}
+FORM_NAMES = {int: "a whole number", str: "a text", list: "a list"}
 
 
 class Check(NamedTuple):
@@ -42,19 +56,54 @@ def read() -> tuple[tuple[Part, ...], float]:
     """The parts and the points for examples. Raises UsageError if the manifest isn't valid."""
     try:
         written = json.loads((ROOT / NAME).read_text("utf-8"))
-        found = tuple(_part(**one) for one in written["parts"])
-        examples = written.get("examples", 0)
     except (OSError, ValueError) as error:
         raise UsageError(f"{NAME} can't be read as JSON: {error}") from error
-    except (KeyError, TypeError) as error:
-        raise UsageError(f"{NAME} lacks something, or has it in another form: {error}") from error
+    _require({"parts": list}, written, "it")
+    examples = written.get("examples", 0)
+    found = tuple(_part(number, entry) for number, entry in enumerate(written["parts"], 1))
     for problem in _problems(found, examples):
         raise UsageError(f"{NAME}: {problem}")
-    return found, float(examples)
+    return tuple(part._replace(checks=_shared(part)) for part in found), float(examples)
 
 
-def _part(part: int, checks: list[Any], calls: Sequence[int] = (), **others: Any) -> Part:
-    return Part(part, checks=tuple(Check(**one) for one in checks), calls=tuple(calls), **others)
+def _part(number: int, entry: Any) -> Part:
+    if isinstance(entry, dict):
+        entry = {"calls": []} | entry
+    _require(FORMS["part"], entry, f"entry {number} of the parts")
+    for at, check in enumerate(entry["checks"], 1):
+        _require(FORMS["check"], check, f"check {at} of part {number}")
+    checks = tuple(Check(**{key: check[key] for key in Check._fields}) for check in entry["checks"])
+    points = entry.get("points", _sum(checks))
+    others = {key: entry[key] for key in ("stem", "title", "function")}
+    return Part(entry["part"], points=points, checks=checks, calls=tuple(entry["calls"]), **others)
+
+
+def _sum(checks: Sequence[Check]) -> float:
+    """0 if the points of one are no number, which is told of."""
+    return sum(check.points for check in checks if _is_points(check.points))
+
+
+def _require(forms: Mapping[str, Any], entry: Any, what: str) -> None:
+    """Raises UsageError if an entry lacks something, or has it in another form."""
+    if not isinstance(entry, dict):
+        raise UsageError(f"{NAME}: {what} has to stand in braces")
+    for key, form in forms.items():
+        if key not in entry:
+            raise UsageError(f'{NAME}: {what} has no "{key}"')
+        if not isinstance(entry[key], form):
+            raise UsageError(f'{NAME}: "{key}" of {what} has to be {FORM_NAMES[form]}')
+
+
+def _shared(part: Part) -> tuple[Check, ...]:
+    """The checks with whole points that add up to the part's: rounded down, and one more for those
+    that lose most by it; if they lose the same, for the first of them."""
+    of = _sum(part.checks)
+    exact = [check.points * part.points / of if of else 0 for check in part.checks]
+    whole = [math.floor(x + 1e-9) for x in exact]
+    by_loss = sorted(range(len(whole)), key=lambda i: round(whole[i] - exact[i], 9))
+    for i in by_loss[: int(part.points) - sum(whole)]:
+        whole[i] += 1
+    return tuple(check._replace(points=x) for check, x in zip(part.checks, whole))
 
 
 def parts() -> tuple[Part, ...]:
@@ -92,10 +141,12 @@ def _problems(found: tuple[Part, ...], examples: object) -> Iterator[str]:
         for what, points in given.items():
             if not _is_points(points):
                 yield f"the points of {what} have to be a whole number that isn't negative"
-        total = sum(check.points for check in part.checks)
-        if not math.isclose(total, part.points, abs_tol=1e-9):
-            unequal = f"gives {part.points:g} points, and its checks {total:g} together"
-            yield f"part {number} {unequal}: make them equal"
+        if part.points and not _sum(part.checks):
+            yield f"part {number} gives {part.points:g} points, and its checks none: give one some"
+        if any(
+            check.points > 0 == whole.points for check, whole in zip(part.checks, _shared(part))
+        ):
+            yield f"part {number} has too few points for its checks: give it more"
     for id, times in Counter(check.id for part in found for check in part.checks).items():
         if times > 1:
             yield f"the check {id} is there {times} times: keep one"
@@ -106,5 +157,4 @@ def _problems(found: tuple[Part, ...], examples: object) -> Iterator[str]:
 
 
 def _is_points(points: Any) -> bool:
-    """Whole, since some services and ./check take no others."""
     return type(points) in (int, float) and 0 <= points < math.inf and points == int(points)

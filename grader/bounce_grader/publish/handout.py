@@ -18,7 +18,6 @@ TOP = "bounce"  # the folder in the zip
 FROM_THE_KIT = (
     ("", ".clang-format"),
     ("tests/", "tests/parts/*.?pp"),
-    ("tests/", "grader/parts.json"),
     *(("tests/", f"grader/runner/{name}.hpp") for name in ("frame", "messages", "crash")),
     ("tests/diagnosis/", "grader/diagnosis/*"),
     ("given/words/", "grader/words/*.?pp"),
@@ -64,6 +63,7 @@ def contents() -> dict[str, bytes]:
         page = str(text.relative_to(HANDOUT).with_suffix(".html"))
         held[page] = handout_page.page(text)
     held["tests/checks.txt"] = handout_data.checks().encode()
+    held["tests/parts.json"] = handout_data.parts_and_checks().encode()
     held["fixtures/study.json"] = handout_data.study().encode()
     held["fixtures/measured.json"] = handout_data.measured().encode()
     return dict(sorted(held.items()))

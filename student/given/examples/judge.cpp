@@ -65,6 +65,11 @@ class Reader {
     skip(" \t\r");
     return taken;
   }
+  // Empty at the end.
+  std::string take_one() {
+    const std::string one = line_.substr(at_, 1);
+    return take(one) ? one : "";
+  }
   bool take(const std::string& text) {
     if (line_.compare(at_, text.size(), text) != 0) return false;
     at_ += text.size();
@@ -80,6 +85,19 @@ class Reader {
   std::string line_;
   std::size_t at_ = 0;
 };
+
+// "J20", also of J(2, 0).
+std::string read_name(Reader& reader) {
+  std::string name = reader.take_all(kOfNames);
+  for (bool is_open = reader.take("("); is_open && !reader.take(")"); reader.take(",")) {
+    const std::size_t column = reader.column();
+    const std::string index = reader.take_one();
+    if (index.empty() || !is_digit(index[0]))
+      throw Problem(column, "an index is due here, as in J(2, 0)");
+    name += index;
+  }
+  return name;
+}
 
 // The unit of the last digit. Throws Problem if there are too few digits.
 double unit_of(const std::string& number, std::size_t column) {
@@ -126,7 +144,7 @@ Given read_value(Reader& reader, const Quantity& quantity, bool is_input) {
 void read_given(Reader& reader, const std::vector<Quantity>& quantities, int part,
                 const std::string& due, std::vector<Given>& all) {
   const std::size_t begin = reader.column();
-  const std::string name = reader.take_all(kOfNames);
+  const std::string name = read_name(reader);
   std::string names;
   for (const Quantity& quantity : quantities) {
     if (!std::count(quantity.parts.begin(), quantity.parts.end(), part)) continue;
