@@ -180,8 +180,19 @@ void print_first(const Run& run) {
             << " --hint opens it, stage by stage.\n";
 }
 
-void print_warnings() {
-  const std::vector<std::string> all = warnings();
+// What a file that doesn't compile seems to leave unused, the compiler may only not have reached.
+bool is_premature(const Run& run, const std::string& warning) {
+  return has(warning, "[-Wunused") &&
+         std::any_of(run.all.begin(), run.all.end(), [&](const Part& part) {
+           return part.broken == &part && part.file() == file_of(warning);
+         });
+}
+
+void print_warnings(const Run& run) {
+  std::vector<std::string> all = warnings();
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [&](const std::string& line) { return is_premature(run, line); }),
+            all.end());
   if (all.empty()) return;
   std::cout << bold("The compiler warns") << " of what is often a mistake:\n";
   for (std::size_t i = 0; i < all.size() && i < kMostWarnings; ++i) {
@@ -269,7 +280,7 @@ bool report(const Run& run) {
                        (run.is_one_part() ? " of part" + run.option() : "") + ": " +
                        std::to_string(run.score) + " / " + std::to_string(run.possible) + ".")
             << " There are also hidden ones, with different numbers.\n";
-  print_warnings();
+  print_warnings(run);
   return run.is_right() && (run.is_one_part() || run.sanitized || has_defined_behaviour());
 }
 
