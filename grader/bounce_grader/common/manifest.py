@@ -8,7 +8,7 @@ others.
 import json
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -16,15 +16,7 @@ from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import ROOT
 
 NAME = "grader/parts.json"
-# What an entry holds; points are looked at separately.
-FORMS: dict[str, dict[str, Any]] = {
-    "part": {
-        **{"part": int, "stem": str, "title": str, "function": str},
-        **{"checks": list, "calls": list},
-    },
-    "check": {"id": str, "title": str, "points": object},
-}
-FORM_NAMES = {int: "a whole number", str: "a text", list: "a list"}
+FORMS = {int: "a whole number", str: "a text", list: "a list"}
 
 
 class Check(NamedTuple):
@@ -58,7 +50,7 @@ def read() -> tuple[tuple[Part, ...], float]:
         written = json.loads((ROOT / NAME).read_text("utf-8"))
     except (OSError, ValueError) as error:
         raise UsageError(f"{NAME} can't be read as JSON: {error}") from error
-    _require({"parts": list}, written, "it")
+    _require("it", written, parts=list)
     examples = written.get("examples", 0)
     found = tuple(_part(number, entry) for number, entry in enumerate(written["parts"], 1))
     for problem in _problems(found, examples):
@@ -67,31 +59,29 @@ def read() -> tuple[tuple[Part, ...], float]:
 
 
 def _part(number: int, entry: Any) -> Part:
-    if isinstance(entry, dict):
-        entry = {"calls": []} | entry
-    _require(FORMS["part"], entry, f"entry {number} of the parts")
+    what = f"part {number}"
+    _require(what, entry, part=int, stem=str, title=str, function=str, checks=list)
+    entry = {"calls": []} | entry
+    _require(what, entry, calls=list)
     for at, check in enumerate(entry["checks"], 1):
-        _require(FORMS["check"], check, f"check {at} of part {number}")
-    checks = tuple(Check(**{key: check[key] for key in Check._fields}) for check in entry["checks"])
-    points = entry.get("points", _sum(checks))
-    others = {key: entry[key] for key in ("stem", "title", "function")}
-    return Part(entry["part"], points=points, checks=checks, calls=tuple(entry["calls"]), **others)
+        _require(f"check {at} of {what}", check, id=str, title=str)
+    checks = tuple(Check(one["id"], one["title"], one.get("points")) for one in entry["checks"])
+    points, calls = entry.get("points", _sum(checks)), tuple(entry["calls"])
+    return Part(
+        entry["part"], entry["stem"], entry["title"], entry["function"], points, checks, calls
+    )
+
+
+def _require(what: str, entry: Any, **forms: type) -> None:
+    """Raises UsageError if an entry lacks something, or has it in another form."""
+    for key, form in forms.items():
+        if not (isinstance(entry, dict) and isinstance(entry.get(key), form)):
+            raise UsageError(f'{NAME}: {what} needs "{key}", {FORMS[form]}')
 
 
 def _sum(checks: Sequence[Check]) -> float:
-    """0 if the points of one are no number, which is told of."""
+    """Without those that are no number, which are told of."""
     return sum(check.points for check in checks if _is_points(check.points))
-
-
-def _require(forms: Mapping[str, Any], entry: Any, what: str) -> None:
-    """Raises UsageError if an entry lacks something, or has it in another form."""
-    if not isinstance(entry, dict):
-        raise UsageError(f"{NAME}: {what} has to stand in braces")
-    for key, form in forms.items():
-        if key not in entry:
-            raise UsageError(f'{NAME}: {what} has no "{key}"')
-        if not isinstance(entry[key], form):
-            raise UsageError(f'{NAME}: "{key}" of {what} has to be {FORM_NAMES[form]}')
 
 
 def _shared(part: Part) -> tuple[Check, ...]:

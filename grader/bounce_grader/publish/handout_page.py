@@ -65,11 +65,8 @@ def _fence(self: Any, tokens: list[Any], index: int, *_: Any) -> str:
 
 
 def filled_in(text: str) -> str:
-    """Fills in the parts' points and titles and the default parameters: {{ points[2] }}, {{ titles[2] }},
-    {{ all_points }}, {{ default.l }}. Raises UsageError for another placeholder, and for points that
-    stand in place of one."""
-    if literal := re.search(r"\d+ points\b", text):
-        raise UsageError(f"the handout says {literal[0]} itself: write a placeholder of parts.json")
+    """Fills in points and titles of parts and default parameters: {{ points[2] }}, {{ titles[2] }},
+    {{ all_points }}, {{ default.l }}. Raises UsageError for another placeholder."""
     values = {
         "points": {part.number: f"{part.points:g}" for part in parts()},
         "titles": {part.number: part.title for part in parts()},
@@ -87,23 +84,19 @@ def defaults() -> dict[str, str]:
     """The default parameters by name, as types.hpp sets them, the only place that does."""
     header = (CONTRACT / "bounce" / "types.hpp").read_text("utf-8")
     found = dict(re.findall(r"(?m)^  (?:double|int) (\w+) = ([^;]+);", header))
-    g = re.findall(r"(?m)^  Vector3 g\{(\S+), (\S+), \S+\};", header)
-    return found | {name: f"{float(x):g}" for name, x in zip(("g_x", "g_y"), g[0])}
+    [g] = re.findall(r"(?m)^  Vector3 g\{(\S+), (\S+), \S+\};", header)
+    return found | {name: f"{float(x):g}" for name, x in zip(("g_x", "g_y"), g)}
 
 
 def require_placeholders(texts: Mapping[str, str]) -> None:
-    """Raises UsageError if a text of the handout says a number itself, as a translated one may. Each
-    part's points stand in the table, above its text, in the sentence about the score and in its
-    header."""
-    least = {("README.md", "all_points"): 1}
-    least |= {("README.md", f"default.{name}"): 1 for name in defaults()}
+    """Raises UsageError if a text of the handout says a number itself, as a translated one may. A
+    part's points stand in a table, in its heading and in the sentence about the score."""
+    needed = {("README.md", f"default.{name}"): 1 for name in defaults()}
+    needed["README.md", "all_points"] = 1
     for part in parts():
-        least["README.md", f"points[{part.number}]"] = 3
-        least[f"include/bounce/{part.stem}.hpp", f"points[{part.number}]"] = 1
-    for (name, placeholder), times in least.items():
-        there = texts[name].count(f"{{{{ {placeholder} }}}}")
-        if there < times:
-            due = f"{times} times" if times > 1 else "once"
-            raise UsageError(
-                f"student/{name} needs {{{{ {placeholder} }}}} {due}, and has it {there} times: write it in place of the number"
-            )
+        needed["README.md", f"points[{part.number}]"] = 3
+        needed[f"include/bounce/{part.stem}.hpp", f"points[{part.number}]"] = 1
+    for (name, placeholder), times in needed.items():
+        if texts[name].count(f"{{{{ {placeholder} }}}}") < times:
+            number = f"{{{{ {placeholder} }}}} in place of a number, {times} times"
+            raise UsageError(f"student/{name} needs {number}")
