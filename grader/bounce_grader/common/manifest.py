@@ -10,6 +10,7 @@ import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import cache
+from itertools import accumulate, pairwise
 from typing import Any, NamedTuple
 
 from bounce_grader.common.errors import UsageError
@@ -85,15 +86,13 @@ def _sum(checks: Sequence[Check]) -> float:
 
 
 def _shared(part: Part) -> tuple[Check, ...]:
-    """The checks with whole points that add up to the part's: rounded down, and one more for those
-    that lose most by it; if they lose the same, for the first of them."""
-    of = _sum(part.checks)
-    exact = [check.points * part.points / of if of else 0 for check in part.checks]
-    whole = [math.floor(x + 1e-9) for x in exact]
-    by_loss = sorted(range(len(whole)), key=lambda i: round(whole[i] - exact[i], 9))
-    for i in by_loss[: int(part.points) - sum(whole)]:
-        whole[i] += 1
-    return tuple(check._replace(points=x) for check, x in zip(part.checks, whole))
+    """The checks with whole points that add up to the part's: their running totals are rounded."""
+    scale = part.points / (_sum(part.checks) or 1)
+    totals = accumulate((check.points for check in part.checks), initial=0.0)
+    shares = pairwise(round(total * scale) for total in totals)
+    return tuple(
+        c._replace(points=after - before) for c, (before, after) in zip(part.checks, shares)
+    )
 
 
 def parts() -> tuple[Part, ...]:

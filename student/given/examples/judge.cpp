@@ -65,10 +65,10 @@ class Reader {
     skip(" \t\r");
     return taken;
   }
-  // Empty at the end.
-  std::string take_one() {
-    const std::string one = line_.substr(at_, 1);
-    return take(one) ? one : "";
+  char take_one() {
+    const char one = line_[at_];
+    take(std::string(1, one));
+    return one;
   }
   bool take(const std::string& text) {
     if (line_.compare(at_, text.size(), text) != 0) return false;
@@ -89,13 +89,8 @@ class Reader {
 // "J20", also of J(2, 0).
 std::string read_name(Reader& reader) {
   std::string name = reader.take_all(kOfNames);
-  for (bool is_open = reader.take("("); is_open && !reader.take(")"); reader.take(",")) {
-    const std::size_t column = reader.column();
-    const std::string index = reader.take_one();
-    if (index.empty() || !is_digit(index[0]))
-      throw Problem(column, "an index is due here, as in J(2, 0)");
-    name += index;
-  }
+  if (!reader.take("(")) return name;
+  for (; !reader.is_at_end() && !reader.take(")"); reader.take(",")) name += reader.take_one();
   return name;
 }
 
