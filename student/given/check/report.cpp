@@ -180,19 +180,15 @@ void print_first(const Run& run) {
             << " --hint opens it, stage by stage.\n";
 }
 
-// What a file that doesn't compile seems to leave unused, the compiler may only not have reached.
-bool is_premature(const Run& run, const std::string& warning) {
-  return has(warning, "[-Wunused") &&
-         std::any_of(run.all.begin(), run.all.end(), [&](const Part& part) {
-           return part.broken == &part && part.file() == file_of(warning);
-         });
-}
-
 void print_warnings(const Run& run) {
-  std::vector<std::string> all = warnings();
-  all.erase(std::remove_if(all.begin(), all.end(),
-                           [&](const std::string& line) { return is_premature(run, line); }),
-            all.end());
+  std::string broken;  // files in which the compiler may not have reached what seems unused
+  for (const Part& part : run.all) {
+    if (part.broken == &part) broken += part.file() + "\n";
+  }
+  std::vector<std::string> all;
+  for (const std::string& line : warnings()) {
+    if (!has(line, "[-Wunused") || !has(broken, file_of(line) + "\n")) all.push_back(line);
+  }
   if (all.empty()) return;
   std::cout << bold("The compiler warns") << " of what is often a mistake:\n";
   for (std::size_t i = 0; i < all.size() && i < kMostWarnings; ++i) {
