@@ -187,7 +187,7 @@ void print_warnings(const Run& run) {
   }
   std::vector<std::string> all;
   for (const std::string& line : warnings()) {
-    if (!has(line, "[-Wunused") || !has(broken, file_of(line) + "\n")) all.push_back(line);
+    if (!has(line, "warning: unused ") || !has(broken, file_of(line) + "\n")) all.push_back(line);
   }
   if (all.empty()) return;
   std::cout << bold("The compiler warns") << " of what is often a mistake:\n";
