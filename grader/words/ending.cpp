@@ -69,11 +69,17 @@ std::pair<std::string, std::string> assertion_in(const std::string& line) {
   return {after.substr(1, end - 1), place};
 }
 
-// "(a 3x2 matrix)", of which Eigen's assertions are a function's; empty for other lines.
+// "(a 3x2 matrix)", of which Eigen's assertions are a function's; empty for other lines. -1 columns
+// are as many as the program says.
 std::string shape_in(const std::string& line) {
   const std::size_t type = std::min(line.find("Eigen::Matrix<double, "), line.size());
   int rows = 0, columns = 0;
   std::sscanf(line.c_str() + type, "Eigen::Matrix<double, %d, %d", &rows, &columns);
+  if (rows > 0 && columns == -1) {
+    const std::string number = std::to_string(rows);
+    return " (a matrix that is " + number + "x0 until it is given a size, as in Eigen::Matrix" +
+           number + "Xd q(" + number + ", params.T))";
+  }
   if (rows <= 0 || columns <= 0) return "";
   return " (a " + std::to_string(rows) + "x" + std::to_string(columns) + " matrix)";
 }

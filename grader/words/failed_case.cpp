@@ -78,7 +78,8 @@ std::string odd_number(const Quantity& q) {
   for (const auto& row : q.got) {
     for (const double x : row) {
       if (std::isinf(x))
-        return subject + number(x, 6) + ": a division by zero? With integers, 1 / 6 is 0.\n";
+        return subject + number(x, 6) +
+               ": division by zero? In C++, 1 / 6 is 0: both are integers.\n";
       if (std::abs(x) <= kNeverSet) continue;
       return subject + number(x, 2) + ": was it ever set? If so, look for " +
              (std::isnan(x) ? "0/0 or sqrt(-1).\n" : "what makes it so large.\n");
@@ -89,9 +90,8 @@ std::string odd_number(const Quantity& q) {
 
 std::string explanation(const Quantity& q, bool always_zero) {
   if (!always_zero) return odd_number(q);
-  return size(q.got) == 1
-             ? "  it is 0: not filled in yet, or a search for the smallest that found none?\n"
-             : "  every entry is 0: is it filled in?\n";
+  return size(q.got) == 1 ? "  it is 0. Was it filled in? Was a minimum ever found?\n"
+                          : "  every entry is 0: is it filled in?\n";
 }
 
 // "(a, b, c)", or the rows of a matrix below each other; a scalar without brackets.

@@ -18,6 +18,8 @@ std::string plainly_quoted(std::string text) {
   return text;
 }
 
+const std::string kBetween = " | ";
+
 Sentences read_sentences(const std::filesystem::path& file) {
   std::ifstream in(file);
   if (!in) throw std::runtime_error(file.string() + " is missing: unpack the kit again");
@@ -27,7 +29,11 @@ Sentences read_sentences(const std::filesystem::path& file) {
     if (line.rfind("  ", 0) != 0) {
       sentence = line;
     } else {
-      all.emplace_back(line.substr(2), sentence);
+      line.erase(0, 2);
+      for (std::size_t at = 0, end = 0; end != std::string::npos; at = end + kBetween.size()) {
+        end = line.find(kBetween, at);
+        all.emplace_back(line.substr(at, end - at), sentence);
+      }
     }
   }
   return all;

@@ -1,7 +1,7 @@
 // Sentences that are read from files, so that they can be read, and corrected, in one sitting.
 //
-// In such a file, what a sentence is said of stands indented below it: an id, or a piece of another
-// program's text.
+// In such a file, what a sentence is said of stands indented below it, with " | " between: ids, or
+// pieces of other programs' texts.
 #pragma once
 
 #include <filesystem>

@@ -8,7 +8,7 @@
 namespace bounce {
 
 void worked_example() {
-  const Parameters params;
+  const Parameters params{0.2, 0.3, 0.3, 0.5, {0, -9.81, 0}, 0.01, 0.001};  // whatever defaults are
   const Vector3 q(0.5, 0.1255, 0.3), v(3, -1, 2);
   const Eigen::IOFormat rows(6, 0, ", ", "\n", "    ", "");
   const Eigen::IOFormat row(6, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");

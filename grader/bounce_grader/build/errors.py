@@ -69,7 +69,7 @@ def meanings() -> list[tuple[str, str]]:
     found, sentence = [], ""
     for line in EXPLAINED.read_text(encoding="utf-8").splitlines():
         if line.startswith("  "):
-            found.append((line[2:], sentence))
+            found += [(piece, sentence) for piece in line[2:].split(" | ")]
         else:
             sentence = line
     return found

@@ -1,16 +1,23 @@
-"""The parts and their checks, from grader/parts.json, the only place that defines points."""
+"""The parts and their checks, from grader/parts.json, the only place that defines points.
+
+A part's points are the sum of its checks'. A part may have a number of points itself: then its
+checks share it in proportion to theirs, in whole points, since some services and ./check take no
+others.
+"""
 
 import json
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import cache
+from itertools import accumulate, pairwise
 from typing import Any, NamedTuple
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.paths import ROOT
 
 NAME = "grader/parts.json"
+FORMS = {int: "a whole number", str: "a text", list: "a list"}
 
 
 class Check(NamedTuple):
@@ -42,19 +49,50 @@ def read() -> tuple[tuple[Part, ...], float]:
     """The parts and the points for examples. Raises UsageError if the manifest isn't valid."""
     try:
         written = json.loads((ROOT / NAME).read_text("utf-8"))
-        found = tuple(_part(**one) for one in written["parts"])
-        examples = written.get("examples", 0)
     except (OSError, ValueError) as error:
         raise UsageError(f"{NAME} can't be read as JSON: {error}") from error
-    except (KeyError, TypeError) as error:
-        raise UsageError(f"{NAME} lacks something, or has it in another form: {error}") from error
+    _require("it", written, parts=list)
+    examples = written.get("examples", 0)
+    found = tuple(_part(number, entry) for number, entry in enumerate(written["parts"], 1))
     for problem in _problems(found, examples):
         raise UsageError(f"{NAME}: {problem}")
-    return found, float(examples)
+    return tuple(part._replace(checks=_shared(part)) for part in found), float(examples)
 
 
-def _part(part: int, checks: list[Any], calls: Sequence[int] = (), **others: Any) -> Part:
-    return Part(part, checks=tuple(Check(**one) for one in checks), calls=tuple(calls), **others)
+def _part(number: int, entry: Any) -> Part:
+    what = f"part {number}"
+    _require(what, entry, part=int, stem=str, title=str, function=str, checks=list)
+    entry = {"calls": []} | entry
+    _require(what, entry, calls=list)
+    for at, check in enumerate(entry["checks"], 1):
+        _require(f"check {at} of {what}", check, id=str, title=str)
+    checks = tuple(Check(one["id"], one["title"], one.get("points")) for one in entry["checks"])
+    points, calls = entry.get("points", _sum(checks)), tuple(entry["calls"])
+    return Part(
+        entry["part"], entry["stem"], entry["title"], entry["function"], points, checks, calls
+    )
+
+
+def _require(what: str, entry: Any, **forms: type) -> None:
+    """Raises UsageError if an entry lacks something, or has it in another form."""
+    for key, form in forms.items():
+        if not (isinstance(entry, dict) and isinstance(entry.get(key), form)):
+            raise UsageError(f'{NAME}: {what} needs "{key}", {FORMS[form]}')
+
+
+def _sum(checks: Sequence[Check]) -> float:
+    """Without those that are no number, which are told of."""
+    return sum(check.points for check in checks if _is_points(check.points))
+
+
+def _shared(part: Part) -> tuple[Check, ...]:
+    """The checks with whole points that add up to the part's: their running totals are rounded."""
+    scale = part.points / (_sum(part.checks) or 1)
+    totals = accumulate((check.points for check in part.checks), initial=0.0)
+    shares = pairwise(round(total * scale) for total in totals)
+    return tuple(
+        c._replace(points=after - before) for c, (before, after) in zip(part.checks, shares)
+    )
 
 
 def parts() -> tuple[Part, ...]:
@@ -92,10 +130,12 @@ def _problems(found: tuple[Part, ...], examples: object) -> Iterator[str]:
         for what, points in given.items():
             if not _is_points(points):
                 yield f"the points of {what} have to be a whole number that isn't negative"
-        total = sum(check.points for check in part.checks)
-        if not math.isclose(total, part.points, abs_tol=1e-9):
-            unequal = f"gives {part.points:g} points, and its checks {total:g} together"
-            yield f"part {number} {unequal}: make them equal"
+        if part.points and not _sum(part.checks):
+            yield f"part {number} gives {part.points:g} points, and its checks none: give one some"
+        if any(
+            check.points > 0 == whole.points for check, whole in zip(part.checks, _shared(part))
+        ):
+            yield f"part {number} has too few points for its checks: give it more"
     for id, times in Counter(check.id for part in found for check in part.checks).items():
         if times > 1:
             yield f"the check {id} is there {times} times: keep one"
@@ -106,5 +146,4 @@ def _problems(found: tuple[Part, ...], examples: object) -> Iterator[str]:
 
 
 def _is_points(points: Any) -> bool:
-    """Whole, since some services and ./check take no others."""
     return type(points) in (int, float) and 0 <= points < math.inf and points == int(points)

@@ -3,7 +3,7 @@ functions. They give points only if parts.json has some for them."""
 
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.manifest import Check, example_points, Part, parts
@@ -42,6 +42,14 @@ def judged(cases: bytes, box: Box) -> tuple[Record | None, list[Record]]:
     why = fact("cases_caught", str(caught), str(every))
     part = _part_record(caught / every, why, missed)
     return found, [part] if part else []
+
+
+def wrong_in(text: str) -> Iterator[str]:
+    """What is wrong with the cases in a text of the kit's own: a sentence each, with its line."""
+    lines = (line if re.match(r"part \d: .*->", line) else "" for line in text.splitlines())
+    for case in _judged("\n".join(lines).encode(), Box("none"))["cases"]:
+        if not case["right"]:
+            yield f"{case['place']}: {case['message']}"
 
 
 def _judged(cases: bytes, box: Box) -> Record:

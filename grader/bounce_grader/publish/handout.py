@@ -8,17 +8,17 @@ points the texts say. Times and permissions are fixed, so that the same kit give
 import argparse
 from pathlib import Path
 
+from bounce_grader.common.errors import UsageError
 from bounce_grader.common.files import write_zip
 from bounce_grader.common.paths import HANDOUT, ROOT
-from bounce_grader.grading.examples import TABLE
-from bounce_grader.publish import handout_data, handout_page
+from bounce_grader.grading.examples import TABLE, wrong_in
+from bounce_grader.publish import handout_data, handout_page, wrong_programs
 
 TOP = "bounce"  # the folder in the zip
 # Beside the folder student/: a folder of the zip, and the files of the kit in it.
 FROM_THE_KIT = (
     ("", ".clang-format"),
     ("tests/", "tests/parts/*.?pp"),
-    ("tests/", "grader/parts.json"),
     *(("tests/", f"grader/runner/{name}.hpp") for name in ("frame", "messages", "crash")),
     ("tests/diagnosis/", "grader/diagnosis/*"),
     ("given/words/", "grader/words/*.?pp"),
@@ -35,10 +35,19 @@ FROM_THE_KIT = (
 SKIPPED = {"build", "animation.html", "real.html", "study.html", "__pycache__"}
 OF_EDITORS = {".clangd", ".devcontainer", ".vscode"}  # other names with a dot are left out
 PAGES = ("README", "explore", "hints/*")
-SAY_POINTS = ("*.md", "hints/*.md", "include/bounce/part*.hpp")
+HAVE_PLACEHOLDERS = ("*.md", "hints/*.md", "include/bounce/part*.hpp")
+HAVE_CASES = ("README.md", "examples.txt")
 
 
 def run(options: argparse.Namespace) -> int:
+    """Refuses what no longer follows from the default parameters."""
+    if TABLE.read_text("utf-8") != wrong_programs.table():
+        raise UsageError(
+            f"fixtures/public/{TABLE.name} isn't what the kit writes: run ./kit fixtures"
+        )
+    for name in HAVE_CASES:
+        for wrong in wrong_in((HANDOUT / name).read_text("utf-8")):
+            raise UsageError(f"student/{name}, {wrong}: work out this case again")
     print(f"{options.out} holds {write(options.out)} files")
     return 0
 
@@ -57,13 +66,15 @@ def contents() -> dict[str, bytes]:
     """What the zip holds, by path: these files, the pages, and the numbers of the study and of
     impacts."""
     held = {name: file.read_bytes() for name, file in files().items()}
-    for file in (file for pattern in SAY_POINTS for file in HANDOUT.glob(pattern)):
-        name = str(file.relative_to(HANDOUT))
-        held[name] = handout_page.with_points(held[name].decode()).encode()
+    some = (file for pattern in HAVE_PLACEHOLDERS for file in HANDOUT.glob(pattern))
+    texts = {str(file.relative_to(HANDOUT)): file.read_text("utf-8") for file in some}
+    handout_page.require_placeholders(texts)
+    held |= {name: handout_page.filled_in(text).encode() for name, text in texts.items()}
     for text in (text for name in PAGES for text in HANDOUT.glob(f"{name}.md")):
         page = str(text.relative_to(HANDOUT).with_suffix(".html"))
         held[page] = handout_page.page(text)
     held["tests/checks.txt"] = handout_data.checks().encode()
+    held["tests/parts.json"] = handout_data.parts_and_checks().encode()
     held["fixtures/study.json"] = handout_data.study().encode()
     held["fixtures/measured.json"] = handout_data.measured().encode()
     return dict(sorted(held.items()))

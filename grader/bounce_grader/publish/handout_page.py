@@ -1,6 +1,7 @@
 """Turns a Markdown file of the handout into an HTML page that needs no other file and no network."""
 
 import re
+from collections.abc import Mapping
 from functools import partial
 from html import escape
 from pathlib import Path
@@ -9,8 +10,9 @@ from typing import Any
 from jinja2 import Environment, StrictUndefined, TemplateError
 from markupsafe import Markup
 
-from bounce_grader.common.errors import KitError
+from bounce_grader.common.errors import UsageError
 from bounce_grader.common.manifest import parts
+from bounce_grader.common.paths import CONTRACT
 from bounce_grader.formats.html import fill
 from bounce_grader.publish import equations
 
@@ -25,7 +27,7 @@ def page(file: Path) -> bytes:
     markdown.add_render_rule("text", lambda _, tokens, i, *__: equations.inline(tokens[i].content))
     markdown.add_render_rule("table_open", lambda *_: '<div class="table" tabindex="0"><table>\n')
     markdown.add_render_rule("table_close", lambda *_: "</table></div>\n")
-    tokens = markdown.parse(with_points(file.read_text("utf-8")))
+    tokens = markdown.parse(filled_in(file.read_text("utf-8")))
     _number_headings(tokens)
     title = next(t.content for t in tokens if t.type == "inline")
     body = markdown.renderer.render(tokens, markdown.options, {})
@@ -62,15 +64,39 @@ def _fence(self: Any, tokens: list[Any], index: int, *_: Any) -> str:
     return _code(self, tokens, index) if info else equations.displayed(tokens[index].content)
 
 
-def with_points(text: str) -> str:
-    """Fills in the points of parts.json: {{ points[2] }} of a part, {{ all_points }} of all. Raises
-    KitError for another placeholder, and for a number in place of one."""
-    points = {part.number: f"{part.points:g}" for part in parts()}
-    total = f"{sum(part.points for part in parts()):g}"
-    if literal := re.search(r"\d+ points\b", text):
-        raise KitError(f"the handout says {literal[0]} itself: write a placeholder of parts.json")
+def filled_in(text: str) -> str:
+    """Fills in points and titles of parts and default parameters: {{ points[2] }}, {{ titles[2] }},
+    {{ all_points }}, {{ default.l }}. Raises UsageError for another placeholder."""
+    values = {
+        "points": {part.number: f"{part.points:g}" for part in parts()},
+        "titles": {part.number: part.title for part in parts()},
+        "all_points": f"{sum(part.points for part in parts()):g}",
+        "default": defaults(),
+    }
     try:
         template = Environment(undefined=StrictUndefined, keep_trailing_newline=True)
-        return template.from_string(text).render(points=points, all_points=total)
+        return template.from_string(text).render(values)
     except TemplateError as error:
-        raise KitError(f"the handout's points can't be filled in: {error}") from error
+        raise UsageError(f"a placeholder can't be filled in: {error}") from error
+
+
+def defaults() -> dict[str, str]:
+    """The default parameters by name, as types.hpp sets them, the only place that does."""
+    header = (CONTRACT / "bounce" / "types.hpp").read_text("utf-8")
+    found = dict(re.findall(r"(?m)^  (?:double|int) (\w+) = ([^;]+);", header))
+    [g] = re.findall(r"(?m)^  Vector3 g\{(\S+), (\S+), \S+\};", header)
+    return found | {name: f"{float(x):g}" for name, x in zip(("g_x", "g_y"), g)}
+
+
+def require_placeholders(texts: Mapping[str, str]) -> None:
+    """Raises UsageError if a text of the handout says a number itself, as a translated one may. A
+    part's points stand in a table, in its heading and in the sentence about the score."""
+    needed = {("README.md", f"default.{name}"): 1 for name in defaults()}
+    needed["README.md", "all_points"] = 1
+    for part in parts():
+        needed["README.md", f"points[{part.number}]"] = 3
+        needed[f"include/bounce/{part.stem}.hpp", f"points[{part.number}]"] = 1
+    for (name, placeholder), times in needed.items():
+        if texts[name].count(f"{{{{ {placeholder} }}}}") < times:
+            number = f"{{{{ {placeholder} }}}} in place of a number, {times} times"
+            raise UsageError(f"student/{name} needs {number}")

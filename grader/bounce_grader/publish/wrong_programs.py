@@ -7,6 +7,7 @@ import re
 from configparser import ConfigParser
 
 from bounce_grader.grading.examples import SOURCE
+from bounce_grader.publish.handout_page import filled_in
 
 RIGHT = "-"
 STEPS_OF = {1: (1,), 2: (2,), 3: (1, 2, 3)}  # a step begins with a contact and its LCP
@@ -24,7 +25,7 @@ Formulas = dict[str, str]  # by the name of what they give, in order
 def table() -> str:
     source = ConfigParser(delimiters="=", interpolation=None)
     source.optionxform = str  # type: ignore[assignment]  # which keeps capitals
-    source.read(SOURCE, "utf-8")
+    source.read_string(filled_in(SOURCE.read_text("utf-8")))
     programs: dict[tuple[int, str], list[tuple[str, str]]] = {}
     for part, needed in STEPS_OF.items():
         before = [item for n in needed[:-1] for item in source[f"part {n}"].items()]

@@ -87,8 +87,12 @@ bool judge_examples(int part, bool hints) {
       throw Failure(file.generic_string() + " is missing: copy it from the handout's zip");
     }
   }
-  const examples::Judged judged =
-      examples::judge(read("examples.txt"), examples::Table(read(kPrograms)));
+  const examples::Table table(read(kPrograms));
+  if (part && !table.right.count(part)) {
+    throw Failure("cases are for parts 1 to 3: part " + std::to_string(part) +
+                  " only repeats the step of part 3");
+  }
+  const examples::Judged judged = examples::judge(read("examples.txt"), table);
   if (!hints) return print_all(judged, part);
   print_hint(of_part(judged.missed, part));
   return false;

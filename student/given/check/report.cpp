@@ -180,8 +180,15 @@ void print_first(const Run& run) {
             << " --hint opens it, stage by stage.\n";
 }
 
-void print_warnings() {
-  const std::vector<std::string> all = warnings();
+void print_warnings(const Run& run) {
+  std::string broken;  // files in which the compiler may not have reached what seems unused
+  for (const Part& part : run.all) {
+    if (part.broken == &part) broken += part.file() + "\n";
+  }
+  std::vector<std::string> all;
+  for (const std::string& line : warnings()) {
+    if (!has(line, "warning: unused ") || !has(broken, file_of(line) + "\n")) all.push_back(line);
+  }
   if (all.empty()) return;
   std::cout << bold("The compiler warns") << " of what is often a mistake:\n";
   for (std::size_t i = 0; i < all.size() && i < kMostWarnings; ++i) {
@@ -269,7 +276,7 @@ bool report(const Run& run) {
                        (run.is_one_part() ? " of part" + run.option() : "") + ": " +
                        std::to_string(run.score) + " / " + std::to_string(run.possible) + ".")
             << " There are also hidden ones, with different numbers.\n";
-  print_warnings();
+  print_warnings(run);
   return run.is_right() && (run.is_one_part() || run.sanitized || has_defined_behaviour());
 }
 

@@ -65,6 +65,11 @@ class Reader {
     skip(" \t\r");
     return taken;
   }
+  char take_one() {
+    const char one = line_[at_];
+    take(std::string(1, one));
+    return one;
+  }
   bool take(const std::string& text) {
     if (line_.compare(at_, text.size(), text) != 0) return false;
     at_ += text.size();
@@ -80,6 +85,14 @@ class Reader {
   std::string line_;
   std::size_t at_ = 0;
 };
+
+// "J20", also of J(2, 0).
+std::string read_name(Reader& reader) {
+  std::string name = reader.take_all(kOfNames);
+  if (!reader.take("(")) return name;
+  for (; !reader.is_at_end() && !reader.take(")"); reader.take(",")) name += reader.take_one();
+  return name;
+}
 
 // The unit of the last digit. Throws Problem if there are too few digits.
 double unit_of(const std::string& number, std::size_t column) {
@@ -126,7 +139,7 @@ Given read_value(Reader& reader, const Quantity& quantity, bool is_input) {
 void read_given(Reader& reader, const std::vector<Quantity>& quantities, int part,
                 const std::string& due, std::vector<Given>& all) {
   const std::size_t begin = reader.column();
-  const std::string name = reader.take_all(kOfNames);
+  const std::string name = read_name(reader);
   std::string names;
   for (const Quantity& quantity : quantities) {
     if (!std::count(quantity.parts.begin(), quantity.parts.end(), part)) continue;

@@ -1,4 +1,4 @@
-// Part 1 ({{ points[1] }} points): contact distance and Jacobian, eqs. (3) to (6).
+// Part 1 ({{ points[1] }} points): {{ titles[1] }}, eqs. (3) to (6).
 #pragma once
 
 #include <bounce/types.hpp>

@@ -1,4 +1,4 @@
-// Part 2 ({{ points[2] }} points): the LCP of a frictional contact, eqs. (7) to (10).
+// Part 2 ({{ points[2] }} points): {{ titles[2] }}, eqs. (7) to (10).
 #pragma once
 
 #include <bounce/types.hpp>

@@ -1,4 +1,4 @@
-// Part 3 ({{ points[3] }} points): one time step, eqs. (11) to (14).
+// Part 3 ({{ points[3] }} points): {{ titles[3] }}, eqs. (11) to (14).
 #pragma once
 
 #include <bounce/types.hpp>

@@ -1,4 +1,4 @@
-// Part 4 ({{ points[4] }} points): a trajectory, eq. (15).
+// Part 4 ({{ points[4] }} points): {{ titles[4] }}, eq. (15).
 #pragma once
 
 #include <bounce/types.hpp>

@@ -40,7 +40,10 @@ def of_the_manifest(edits: str, where: Path) -> str:
     (where / manifest.NAME).write_text(text)
     manifest.read.cache_clear()
     try:
-        return ", ".join(f"{len(p.checks)} checks for {p.points} points" for p in manifest.parts())
+        return ", ".join(
+            f"{' + '.join(str(check.points) for check in part.checks)} = {part.points}"
+            for part in manifest.parts()
+        )
     except UsageError as refused:
         return str(refused)
 

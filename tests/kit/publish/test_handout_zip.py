@@ -3,15 +3,16 @@ manifest, and no hidden answer."""
 
 import json
 import re
+import shutil
 import zipfile
 from pathlib import Path
 
 import pytest
 from bounce_grader import cli
-from bounce_grader.common.errors import KitError
+from bounce_grader.common.errors import UsageError
 from bounce_grader.common.manifest import parts
-from bounce_grader.grading import fixtures
-from bounce_grader.publish import handout, handout_page
+from bounce_grader.grading import examples, fixtures
+from bounce_grader.publish import handout, handout_page, wrong_programs
 from conftest import Patch, ROOT, SOLUTION
 
 SUBMISSIONS = ROOT / "tests/submissions"
@@ -107,8 +108,51 @@ def test_says_other_points_where_the_manifest_does(tmp_path: Path, monkeypatch: 
 
 
 @pytest.mark.parametrize(
-    "text", ["{{ points[5] }} points", "{{ sum }}", "{{ points[1]", "30 points"]
+    "text", ["{{ points[5] }} points", "{{ default.k }}", "{{ sum }}", "{{ points[1]"]
 )
 def test_no_page_is_half_filled(text: str) -> None:
-    with pytest.raises(KitError, match="points"):
-        handout_page.with_points(text)
+    with pytest.raises(UsageError, match="placeholder"):
+        handout_page.filled_in(text)
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "refused"),
+    [
+        (
+            "README.md",
+            "({{ points[2] }} points)",
+            "(30 Punkte)",
+            "points[2] }} in place of a number, 3 times",
+        ),
+        ("README.md", "worth {{ all_points }} points", "100 Punkte wert", "all_points }}"),
+        ("README.md", "| {{ default.l }} |", "| 0,2 |", "default.l }}"),
+        ("include/bounce/part3_step.hpp", "({{ points[3] }} points)", "(30)", "points[3] }}"),
+    ],
+)
+def test_a_translation_without_a_placeholder_is_refused(
+    file: str, old: str, new: str, refused: str, tmp_path: Path, monkeypatch: Patch
+) -> None:
+    student = shutil.copytree(ROOT / "student", tmp_path / "student")
+    text = (student / file).read_text()
+    assert old in text
+    (student / file).write_text(text.replace(old, new))
+    monkeypatch.setattr(handout, "HANDOUT", student)
+    with pytest.raises(UsageError, match=re.escape(f"student/{file} needs {{{{ {refused}")):
+        handout.contents()
+
+
+def test_another_default_is_followed_or_refused_by_name(
+    tmp_path: Path, monkeypatch: Patch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    header = (ROOT / "student/include/bounce/types.hpp").read_text()
+    (tmp_path / "bounce").mkdir()
+    (tmp_path / "bounce/types.hpp").write_text(header.replace("double l = 0.2;", "double l = 0.4;"))
+    monkeypatch.setattr(handout_page, "CONTRACT", tmp_path)
+    assert b"| `l` | side of the square | 0.4 | m |" in handout.contents()["README.md"]
+    command = ["handout", "--out", str(tmp_path / "a.zip")]
+    assert cli.main(command) != 0 and "run ./kit fixtures" in capsys.readouterr().err
+    table = tmp_path / examples.NAME
+    table.write_text(wrong_programs.table())
+    for module in (handout, examples):
+        monkeypatch.setattr(module, "TABLE", table)
+    assert cli.main(command) != 0 and "student/README.md, line" in capsys.readouterr().err
