@@ -1,9 +1,11 @@
 const stage = byId("stage");
-const wide = () => stage.clientWidth;
-const high = () => stage.clientHeight;
+let size = [0, 0]; // its own, in pixels; to ask it in each frame would lay the page out each time
+const [wide, high] = [() => size[0], () => size[1]];
 const comparing = () => right !== null && byId("compare").checked;
 
 let whole = null; // the view of the whole trajectory
+let base = null; // the view for which ways are drawn: the stage's, but for a shift
+let middle = [0, 0]; // of the trajectory
 const least = 60; // pixels that the square is wide, or else the view follows it
 
 // A view shows the world's point (x, y), m, at the stage's (X, Y), pixels, with `scale` pixels a
@@ -37,13 +39,14 @@ function fit() {
   );
   const spare = height - (top - bottom + 2 * reach) * scale;
   const Y = high() - 52 - spare / 4;
-  const middle = turned(-slope, [(left + rightmost) / 2, bottom - reach]);
-  return view(scale, ...middle, 52 + width / 2, Y);
+  middle = turned(-slope, [(left + rightmost) / 2, bottom - reach]);
+  whole = view(scale, ...middle, 52 + width / 2, Y);
+  base = l * scale >= least || many.length ? whole : view(least / l, ...middle, 0, 0);
 }
 
 // The view of what is drawn: the whole, or near the square, with the ground where there is room.
 function camera() {
-  if (l * whole.scale >= least || many.length) return whole;
+  if (base === whole) return whole;
   const [x, y] = pose(shown());
   const scale = least / l;
   const Y = between(least + 20, high() - 52 - y * scale, high() - least - 20);
@@ -53,31 +56,33 @@ function camera() {
 // The stage's paths have names, and the style their looks.
 const set = (id, d) => byId(id).setAttribute("d", d);
 const through = (points) => `M ${points.join(" L ")} `;
+const inPixels = (place) => place.map((pixels) => pixels.toFixed(1)).join(" ");
 
-// Points {t, x, y} of `of` up to column s on the stage, without those that would fall on the last
-// one. They are found once for a view, and not anew for each frame.
+// Points {t, x, y} of `of` up to column s, as texts, without those that would fall on the last one.
+// They are found once for a base, and not anew for each frame.
 let [foundIn, found] = [null, null];
-function onStage(at, s, of, points) {
-  if (at !== foundIn) [foundIn, found] = [at, new WeakMap()];
+function upTo(s, of, points) {
+  if (base !== foundIn) [foundIn, found] = [base, new WeakMap()];
   if (!found.has(of)) {
     let last = [Infinity, 0];
     const isNew = ([X, Y]) => Math.abs(X - last[0]) + Math.abs(Y - last[1]) >= 1;
-    const all = points().map(({ t, x, y }) => ({ t, place: at.to(x, y) }));
-    found.set(of, all.filter(({ place }) => isNew(place) && (last = place)));
+    const all = points().map(({ t, x, y }) => ({ t, place: base.to(x, y) }));
+    const kept = all.filter(({ place }) => isNew(place) && (last = place));
+    found.set(of, kept.map(({ t, place }) => ({ t, text: inPixels(place) })));
   }
-  return found.get(of).filter(({ t }) => t <= s).map(({ place }) => place);
+  return found.get(of).filter(({ t }) => t <= s).map(({ text }) => text);
 }
 
 // The way of the centre up to s.
-function way(at, s, path) {
+function way(s, path) {
   const points = () => path[0].map((x, t) => ({ t, x, y: path[1][t] }));
-  return through([...onStage(at, s, path, points), at.to(...pose(s, path))]);
+  return through([...upTo(s, path, points), inPixels(base.to(...pose(s, path)))]);
 }
 
 // Where lowest corners were in contact up to s.
-function contacts(at, s, lows) {
+function contacts(s, lows) {
   const points = () => lows.map((low, t) => ({ t, ...low })).filter(({ y }) => y < delta);
-  return onStage(at, s, lows, points).map((dot) => `M ${dot} h 0 `).join("");
+  return upTo(s, lows, points).map((dot) => `M ${dot} h 0 `).join("");
 }
 
 // The corners on the stage.
@@ -90,8 +95,8 @@ const outline = (at, pose) => `${through(cornersOn(at, pose))}Z `;
 
 // The force of the ground at its corner; the longest arrow is a quarter of the stage.
 function arrow(at, t) {
-  const size = Math.min(high() / 4, 120) / strongest;
-  const [x, y] = turned(slope, forces[t] ?? [0, 0]).map((f) => f * size);
+  if (!forces[t]) return "";
+  const [x, y] = turned(slope, forces[t]).map((f) => (f * Math.min(high() / 4, 120)) / strongest);
   const [X, Y] = at.to(lows[t].x, lows[t].y);
   const head = Math.min(9 / Math.hypot(x, y), 0.5);
   const tip = [X + x, Y - y];
@@ -133,16 +138,20 @@ let grounded = null; // the view of which the ground is
 
 function draw(at, s) {
   if (at !== grounded) drawGround((grounded = at));
+  const [from, to] = [base, at].map((view) => view.to(...middle));
+  const shift = `translate(${to[0] - from[0]} ${to[1] - from[1]})`;
+  for (const id of ["way", "contacts", "true-way", "true-contacts"])
+    byId(id).setAttribute("transform", shift);
   set("squares", many.map((path) => outline(at, pose(s, path))).join(""));
   // Past positions of the square at equal steps of time, as under a stroboscope.
   const past = multiples(round125(Math.max(T / 20, 1)), 0, s);
   set("past", past.map((t) => outline(at, column(t))).join(""));
-  set("way", way(at, s, q));
-  set("contacts", contacts(at, s, lows));
+  set("way", way(s, q));
+  set("contacts", contacts(s, lows));
   byId("ghost").toggleAttribute("hidden", !comparing());
   if (comparing()) {
-    set("true-way", way(at, s, right));
-    set("true-contacts", contacts(at, s, lowsRight));
+    set("true-way", way(s, right));
+    set("true-contacts", contacts(s, lowsRight));
     set("true-square", outline(at, pose(s, right)));
   }
   // The square, with a line along its own x axis and a ring at its lowest corner.

@@ -71,8 +71,9 @@ function show() {
 
 function redraw() {
   if (!q) return;
-  whole = fit();
-  set("ways", many.map((path) => way(whole, T - 1, path)).join(""));
+  size = [stage.clientWidth, stage.clientHeight];
+  fit();
+  set("ways", many.map((path) => way(T - 1, path)).join(""));
   layOut();
   show();
 }
