@@ -34,7 +34,6 @@ FROM_THE_KIT = (
 # Made by working in student/.
 SKIPPED = {"build", "animation.html", "real.html", "study.html", "__pycache__"}
 OF_EDITORS = {".clangd", ".devcontainer", ".vscode"}  # other names with a dot are left out
-PAGES = ("README", "explore", "hints/*")
 SAY_POINTS = ("*.md", "hints/*.md", "include/bounce/part*.hpp")
 
 
@@ -60,9 +59,8 @@ def contents() -> dict[str, bytes]:
     for file in (file for pattern in SAY_POINTS for file in HANDOUT.glob(pattern)):
         name = str(file.relative_to(HANDOUT))
         held[name] = handout_page.with_points(held[name].decode()).encode()
-    for text in (text for name in PAGES for text in HANDOUT.glob(f"{name}.md")):
-        page = str(text.relative_to(HANDOUT).with_suffix(".html"))
-        held[page] = handout_page.page(text)
+    for text in handout_page.sources():
+        held[str(text.relative_to(HANDOUT).with_suffix(".html"))] = handout_page.page(text)
     held["tests/checks.txt"] = handout_data.checks().encode()
     held["fixtures/study.json"] = handout_data.study().encode()
     held["fixtures/measured.json"] = handout_data.measured().encode()
