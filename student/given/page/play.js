@@ -86,14 +86,12 @@ showMore = () => {
   if (question?.isOpen && position > 0) question.isOpen = false;
   document.body.classList.toggle("unknown", Boolean(held || question?.isOpen));
   if (held) return drawThread();
-  [0, 2, 3].forEach((of, i) => {
-    const { cells } = byId("errors").tBodies[0].rows[i];
-    cells[1].textContent = inWords(distance(paths[of], columnShown()));
-    cells[2].textContent = inWords(farthest[of]);
-  });
+  const [now, most] = [distance(q, columnShown()), farthest[0]].map(inWords);
   const [, , one, none] = farthest.map((metres) => metres < 1e-3);
-  const least = none ? "flight" : one ? "contact at one corner" : "contact at two corners";
-  byId("enough").textContent = `The simplest model that is exact to a millimetre here: ${least}.`;
+  const least = none ? "flight alone" : one ? "contact at one corner" : "contact at two corners";
+  byId("errors").textContent =
+    `Your program is ${now} from the true motion now, and ${most} at most. ` +
+    `To be exact to a millimetre, a model needs ${least} here.`;
   if (question && position >= T - 1 && question.told !== q) compare(question);
 };
 
@@ -125,6 +123,7 @@ function setQuestion(option) {
   for (const [id, words] of [["asked", question.ask], ["unit", question.unit], ["happened", ""]])
     byId(id).textContent = words;
   byId("predicted").value = "";
+  if (q) seek(0); // what moved before says nothing of it
 }
 
 function compare({ outcome, unit, why }) {
@@ -174,14 +173,9 @@ keys.t = () => throwAgain();
 
 const select = byId("scene");
 
-// As `./build/bounce --scene` takes it: the scene's name if it is another one, and numbers. One whose
-// outcome is predicted may be named without its duration.
+// As `./build/bounce --scene` takes it: the scene's name if it is another one, and numbers.
 function setScene(command) {
-  const options = [...select.options];
-  const option =
-    options.find(({ value }) => value === command) ??
-    options.find(({ value, dataset }) => dataset.ask && value.split(" seconds")[0] === command);
-  const words = (option?.value ?? command).split(" ");
+  const words = command.split(" ");
   const scene = given.scenes.find(({ name }) => name === words[0]);
   const numbers = scene ? numbersOf(scene) : { ...thrown };
   for (const word of words.slice(scene ? 1 : 0)) {
@@ -189,8 +183,10 @@ function setScene(command) {
     if (name === "T") numbers.seconds = (value - 1) * numbers.dt;
     else numbers[name] = Number(value);
   }
-  select.value = option?.value ?? "";
-  speed.value = option?.dataset.speed ?? "1";
+  select.value = command;
+  if (select.selectedIndex < 0) select.value = ""; // it isn't in the list
+  const [option] = select.selectedOptions;
+  speed.value = option.dataset.speed ?? "1";
   setQuestion(option);
   const isStill = question || media("prefers-reduced-motion: reduce").matches;
   return begin(numbers).then((isShown) => setPlaying(isShown && !isStill));
@@ -270,34 +266,6 @@ stage.addEventListener("pointermove", ({ offsetX, offsetY }) => {
   if (held) held.to = camera().from(offsetX, offsetY);
 });
 for (const end of ["pointerup", "pointercancel"]) addEventListener(end, letGo);
-
-// ---- experiments ----
-
-// A question of Explore: its heading and what follows. Its commands become buttons, and its answers
-// are there once one was run.
-function experiment(heading) {
-  const card = make("article", {}, make("h3", {}, ...heading.childNodes));
-  while (heading.nextElementSibling?.matches("p, details")) card.append(heading.nextElementSibling);
-  for (const code of card.querySelectorAll(":scope > p code")) {
-    const command = code.textContent.replace(/^.*--scene /, "");
-    const isScene = given.scenes.some(({ name }) => name === command.split(" ")[0]);
-    if (!isScene && !/^\w+=\S+$/.test(command)) continue;
-    const button = make("button", { type: "button" }, command);
-    button.addEventListener("click", () => {
-      card.classList.add("run");
-      stage.scrollIntoView({ block: "nearest" });
-      setScene(command);
-    });
-    code.replaceWith(button);
-  }
-  return card;
-}
-
-const explore = new DOMParser().parseFromString(given.explore, "text/html");
-const questions = [...explore.querySelectorAll("h2")].filter((h2) => /^\d/.test(h2.textContent));
-const cards = questions.map(experiment).filter((card) => card.querySelector("button"));
-byId("experiments").lastElementChild.append(...cards);
-byId("experiments").hidden = cards.length === 0;
 
 // ---- the page begins ----
 
