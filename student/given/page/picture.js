@@ -106,30 +106,26 @@ function arrow(at, t) {
 
 // The ground, and a grid of squares, numbered in metres along the lower and the left edge.
 function drawGround(at) {
-  const [W, H] = [wide(), high()];
+  const [W, H] = size;
   const ends = [[0, 0], [W, 0], [0, H], [W, H]].map((end) => at.from(...end));
   const [x_0, y_0] = at.from(W / 2, H / 2);
-  const lean = Math.tan(slope);
   // Where the line of an x is at a height of the stage, and that of a y at a width.
-  const lineX = ([X, Y]) => (height) => X + lean * (height - Y);
-  const lineY = ([X, Y]) => (width) => Y - lean * (width - X);
+  const lean = Math.tan(slope);
+  const X = (x, height, [a, b] = at.to(x, y_0)) => a + lean * (height - b);
+  const Y = (y, width, [a, b] = at.to(x_0, y)) => b - lean * (width - a);
   const crisp = (pixels) => Math.round(pixels) + 0.5;
   const step = round125(100 / at.scale);
   const places = between(0, -Math.floor(Math.log10(step)), 15);
   const label = (value, X, Y) => make("text", { x: X, y: Y }, `${text(value, places)} m`);
   const [columns, rows] = [0, 1].map((i) => multiples(step, ...span(ends.map((end) => end[i]))));
-  const X = columns.map((x) => lineX(at.to(x, y_0)));
-  const Y = rows.map((y) => lineY(at.to(x_0, y)));
-  const [below, beside] = [X.map((of) => of(H - 10)), Y.map((of) => of(10))];
+  const isWithin = (y) => 16 < Y(y, 10) && Y(y, 10) < H - 28;
   byId("grid").replaceChildren(
-    ...X.map((of) => path("grid", `M ${crisp(of(0))} 0 L ${crisp(of(H))} ${H}`)),
-    ...Y.map((of) => path("grid", `M 0 ${crisp(of(0))} L ${W} ${crisp(of(W))}`)),
-    ...columns.map((x, i) => (below[i] < W - 60 ? label(x, below[i] + 5, H - 10) : "")),
-    ...rows.map((y, i) =>
-      16 < beside[i] && beside[i] < H - 28 ? label(y, 10, beside[i] - 5) : ""),
+    ...columns.map((x) => path("grid", `M ${crisp(X(x, 0))} 0 L ${crisp(X(x, H))} ${H}`)),
+    ...rows.map((y) => path("grid", `M 0 ${crisp(Y(y, 0))} L ${W} ${crisp(Y(y, W))}`)),
+    ...columns.filter((x) => X(x, H) < W - 60).map((x) => label(x, X(x, H - 10) + 5, H - 10)),
+    ...rows.filter(isWithin).map((y) => label(y, 10, Y(y, 10) - 5)),
   );
-  const ground = lineY(at.to(x_0, 0));
-  set("ground", `M -9 ${ground(-9)} L ${W + 9} ${ground(W + 9)} V ${H + 9} H -9 Z`);
+  set("ground", `M -9 ${Y(0, -9)} L ${W + 9} ${Y(0, W + 9)} V ${H + 9} H -9 Z`);
 }
 
 const echo = 0.25; // s of real time: a bounce lasts one step, too short to be seen
