@@ -3,7 +3,7 @@
 import re
 from html import escape
 
-NAMES = "delta δ, epsilon ε, lambda λ, mu μ, omega ω, phi φ, theta θ"
+NAMES = "delta δ, epsilon ε, lambda λ, mu μ, omega ω, phi φ, pi π, theta θ"
 GREEK = dict(name.split() for name in NAMES.split(", "))
 SIGNS = {"<=": "≤", ">=": "≥", "-": "−", "*": "·", "...": "…", "perpendicular to": "⟂"}
 TOKEN = re.compile(
@@ -20,21 +20,38 @@ ELEMENTS = {
     "sign": '<mo stretchy="false">{}</mo>',
     "number": "<mn>{}</mn>",
 }
-# In a sentence only what can't be a word: a name with a subscript, a power or a prime, or in Greek.
+# In a sentence: formulas, from letters that can't be words there, and tuples that hold one.
+SYMBOL = (
+    r"(?:(?:R|phi|cos|sin|diag)\((?:[^()]|\([^()]*\))+\)"
+    r"|[A-Za-z]+_(?:hat\b|[a-z0-9]{1,2}(?![A-Za-z0-9_(]))"
+    rf"|(?:{'|'.join(GREEK)}|dt|[MJRTVcegklmnpqrstvxyz])(?![A-Za-z0-9_(]|\.\w))"
+    r"(?:'(?!\w))?(?:\^(?:-1|2|T)|²)?"
+)
+NUMBER = r"\d+(?:\.\d+)?(?![\w.]\w)"
+PRODUCT = rf"[-+]?{SYMBOL}(?: {SYMBOL})*"
+TERM = rf"(?:{PRODUCT}|-?{NUMBER})(?:/\d)?"
+OPERATOR = r"(?: (?:[<>]=|[-+*/=<>]) |/|[-+](?=\d))"
+TUPLE = rf"\({TERM}(?:(?:, |{OPERATOR}){TERM})+\)(?:\^T)?"
+OPERAND = rf"(?:{TUPLE}(?: {PRODUCT})?|{PRODUCT} {TUPLE}|{TERM})"
 INLINE = re.compile(
-    r"(?<![\w`/.])(?<!\w\()("
-    r"[A-Za-z]+_(?:hat\b|[a-z0-9]{1,2}(?![\w(]))'?(?:\^(?:T|-1|2))?(?: [vr]'?(?![\w']))?"
-    r"|[A-Za-z]\^(?:-1|2|T)(?: [A-Za-z](?:_[a-z])?(?![\w']))?"
-    r"|[qv]'(?!\w)"
-    rf"|(?:{'|'.join(GREEK)})(?![\w.(])"
-    r")"
+    r"(?<![\w`/.'+-])(?<!\w\()(?<!\d )(?!^m$|^s\b|m/|g\+\+)(?:"
+    rf"(?:{PRODUCT} {TUPLE}|{PRODUCT}|{NUMBER}(?= [<>=+] ))(?:{OPERATOR}{OPERAND})*"
+    rf"|(?=.[^()]*[a-z]){TUPLE}|[<>]= {NUMBER})(?![/√²(])"
 )
 
 
 def inline(sentence: str) -> str:
-    """HTML of a sentence without markup, in which symbols are set as in the equations."""
-    escaped = escape(sentence, quote=False)
-    return INLINE.sub(lambda found: f"<math>{_row(found[0])}</math>", escaped)
+    """HTML of a sentence without markup, in which formulas are set as the equations are."""
+    page, end = "", 0
+    for found in INLINE.finditer(sentence):
+        page += _words(sentence[end : found.start()])
+        page += f"<math>{_row(found[0].replace('²', '^2'))}</math>"
+        end = found.end()
+    return page + _words(sentence[end:])
+
+
+def _words(text: str) -> str:
+    return re.sub(r"\^(\d)", r"<sup>\1</sup>", escape(text, quote=False))
 
 
 def displayed(block: str) -> str:

@@ -34,7 +34,6 @@ FROM_THE_KIT = (
 # Made by working in student/.
 SKIPPED = {"build", "animation.html", "real.html", "study.html", "__pycache__"}
 OF_EDITORS = {".clangd", ".devcontainer", ".vscode"}  # other names with a dot are left out
-PAGES = ("README", "explore", "hints/*")
 HAVE_PLACEHOLDERS = ("*.md", "hints/*.md", "include/bounce/part*.hpp")
 HAVE_CASES = ("README.md", "examples.txt")
 
@@ -70,9 +69,8 @@ def contents() -> dict[str, bytes]:
     texts = {str(file.relative_to(HANDOUT)): file.read_text("utf-8") for file in some}
     handout_page.require_placeholders(texts)
     held |= {name: handout_page.filled_in(text).encode() for name, text in texts.items()}
-    for text in (text for name in PAGES for text in HANDOUT.glob(f"{name}.md")):
-        page = str(text.relative_to(HANDOUT).with_suffix(".html"))
-        held[page] = handout_page.page(text)
+    for text in handout_page.sources():
+        held[str(text.relative_to(HANDOUT).with_suffix(".html"))] = handout_page.page(text)
     held["tests/checks.txt"] = handout_data.checks().encode()
     held["tests/parts.json"] = handout_data.parts_and_checks().encode()
     held["fixtures/study.json"] = handout_data.study().encode()

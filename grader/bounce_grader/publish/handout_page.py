@@ -1,5 +1,6 @@
 """Turns a Markdown file of the handout into an HTML page that needs no other file and no network."""
 
+import os
 import re
 from collections.abc import Mapping
 from functools import partial
@@ -12,9 +13,14 @@ from markupsafe import Markup
 
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.manifest import parts
-from bounce_grader.common.paths import CONTRACT
+from bounce_grader.common.paths import CONTRACT, HANDOUT
 from bounce_grader.formats.html import fill
 from bounce_grader.publish import equations
+
+
+def sources() -> list[Path]:
+    """The Markdown files that become pages, in the order in which they are read."""
+    return [HANDOUT / "README.md", *sorted(HANDOUT.glob("hints/*.md")), HANDOUT / "explore.md"]
 
 
 def page(file: Path) -> bytes:
@@ -24,12 +30,12 @@ def page(file: Path) -> bytes:
     markdown = MarkdownIt("commonmark", {"html": True}).enable("table")
     markdown.add_render_rule("fence", _fence)
     markdown.add_render_rule("code_block", _code)
+    markdown.add_render_rule("code_inline", _name)
     markdown.add_render_rule("text", lambda _, tokens, i, *__: equations.inline(tokens[i].content))
     markdown.add_render_rule("table_open", lambda *_: '<div class="table" tabindex="0"><table>\n')
     markdown.add_render_rule("table_close", lambda *_: "</table></div>\n")
     tokens = markdown.parse(filled_in(file.read_text("utf-8")))
-    _number_headings(tokens)
-    title = next(t.content for t in tokens if t.type == "inline")
+    contents = _number_headings(tokens)
     body = markdown.renderer.render(tokens, markdown.options, {})
     drawn = partial(_drawing, file.parent)
     body = re.sub(r'<p><img src="([\w.]+)" alt="[^"]*"\s*/?></p>', drawn, body)
@@ -38,7 +44,26 @@ def page(file: Path) -> bytes:
         body = re.sub(r"<p>Checks: .*?</p>", "", body, flags=re.DOTALL)
         stage = r"<h3[^>]*>(.*?)</h3>(.*?)(?=<h[23]|$)"
         body = re.sub(stage, r"<details><summary>\1</summary>\2</details>", body, flags=re.DOTALL)
-    return fill("publish/handout_page.html.j2", title=title, body=Markup(body)).encode()
+    heading, rest = map(Markup, body.split("</h1>\n", 1))
+    around = {"contents": contents, "pages": _neighbours(file), "title": _title(file)}
+    return fill("publish/handout_page.html.j2", heading=heading, body=rest, **around).encode()
+
+
+def _title(file: Path) -> str:
+    return file.read_text("utf-8").splitlines()[0].removeprefix("# ")
+
+
+def _neighbours(file: Path) -> list[tuple[str, str, str]]:
+    """The pages before and after this one: the relation, the link and the title."""
+    all_pages = sources()
+    place = all_pages.index(file)
+    near = (("prev", place - 1), ("next", place + 1))
+    return [
+        (relation, os.path.relpath(other.with_suffix(".html"), file.parent), _title(other))
+        for relation, n in near
+        if 0 <= n < len(all_pages)
+        for other in [all_pages[n]]
+    ]
 
 
 def _drawing(folder: Path, image: re.Match[str]) -> str:
@@ -46,12 +71,23 @@ def _drawing(folder: Path, image: re.Match[str]) -> str:
     return f"<figure>{' '.join(svg.split())}</figure>"
 
 
-def _number_headings(tokens: list[Any]) -> None:
-    """Gives each heading the name that links to it may have."""
+def _number_headings(tokens: list[Any]) -> list[tuple[str, Markup]]:
+    """Gives each heading the name that links to it may have. Those of sections, with their texts."""
+    contents = []
     for opening, content in zip(tokens, tokens[1:]):
         if opening.type == "heading_open":
-            words = re.findall(r"\w+", content.content.lower())
-            opening.attrSet("id", "-".join(words))
+            name = "-".join(re.findall(r"\w+", content.content.lower()))
+            opening.attrSet("id", name)
+            if opening.tag == "h2":
+                contents.append((name, Markup(equations.inline(content.content))))
+    return contents
+
+
+def _name(_: Any, tokens: list[Any], index: int, *__: Any) -> str:
+    """Code in a sentence. A line may end at its blanks, but not within a name that a line can hold."""
+    code = escape(tokens[index].content, quote=False)
+    names = re.compile(r"(?<!\S)(?=\S*[-/_])\S{1,32}(?!\S)")
+    return f"<code>{names.sub(lambda name: f'<span>{name[0]}</span>', code)}</code>"
 
 
 def _code(_: Any, tokens: list[Any], index: int, *__: Any) -> str:

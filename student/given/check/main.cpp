@@ -62,18 +62,27 @@ Options read_options(const std::vector<std::string>& words, const std::vector<Pa
   return options;
 }
 
+Run built_and_run(const Options& options) {
+  Run run = read_run(options.part, options.has("--sanitize"));
+  build_parts(run);
+  run_parts(run);
+  return run;
+}
+
+void print_score(const Run& run) {
+  std::cout << "Score on the public checks: " << run.score << " / " << run.possible << ".\n";
+}
+
 // Whether there is nothing to mend. The screen is cleared before the result, where that `replaces`
 // another.
 bool check(const Options& options, bool replaces = false) {
   std::filesystem::create_directories(kWork);
   const auto alone = lock(kWork / "lock");
-  Run run = read_run(options.part, options.has("--sanitize"));
-  build_parts(run);
-  run_parts(run);
+  Run run = built_and_run(options);
   if (replaces && is_terminal()) std::cout << "\033[H\033[2J";
   if (!options.record.empty()) {
     write_record(run, options.record);
-    std::cout << "Score on the public checks: " << run.score << " / " << run.possible << ".\n";
+    print_score(run);
     return run.is_right();
   }
   const bool hints = options.has("--hint");
@@ -116,13 +125,22 @@ bool check(const Options& options, bool replaces = false) {
 
 // Whatever passes: what is written is handed in.
 void zip() {
-  std::filesystem::remove("hand_in.zip");
-  std::filesystem::create_directories(kWork);
-  std::vector<std::string> command{"cmake",       "-E",           "tar", "cf",
-                                   "hand_in.zip", "--format=zip", "src"};
-  if (std::filesystem::exists("examples.txt")) command.push_back("examples.txt");
+  namespace fs = std::filesystem;
+  fs::remove("hand_in.zip");
+  fs::create_directories(kWork);
+  const auto alone = lock(kWork / "lock");
+  std::set<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator("src")) {
+    if (entry.is_regular_file()) files.insert(entry.path().generic_string());
+  }
+  if (fs::exists("examples.txt")) files.insert("examples.txt");
+  std::vector<std::string> command{"cmake", "-E", "tar", "cf", "hand_in.zip", "--format=zip"};
+  command.insert(command.end(), files.begin(), files.end());
   if (run(command, kWork / "zip.txt", Limits::none) != 0) throw Failure(read(kWork / "zip.txt"));
-  std::cout << "hand_in.zip is what you hand in, where your course says.\n";
+  std::cout << "hand_in.zip is what you hand in, where your course says. It holds:\n";
+  for (const std::string& file : files) std::cout << "  " << file << "\n";
+  std::cout << std::flush;
+  print_score(built_and_run({}));
 }
 
 int run(const std::vector<std::string>& words) {

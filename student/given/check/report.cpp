@@ -96,8 +96,9 @@ void print_ladder(const Run& run) {
   const int more = passed - std::atoi(read(file).c_str());
   std::cout << "Checks  " << ladder << bold(std::to_string(passed) + " of " + std::to_string(all))
             << " checks pass"
-            << (more > 0 && std::filesystem::exists(file)
-                    ? ", " + std::to_string(more) + " more than last time"
+            << (more != 0 && std::filesystem::exists(file)
+                    ? ", " + std::to_string(std::abs(more)) + (more > 0 ? " more" : " fewer") +
+                          " than last time"
                     : "")
             << (run.first_part ? "; \u2192 is next" : "") << "\n";
   write(file, std::to_string(passed));

@@ -58,7 +58,7 @@ function scale(axis, values, begin, end) {
 
 // A line's curve and its dots.
 function strokes(line, i, curve, dots) {
-  const kind = line.kind === "bound" ? "bound" : `k${i % 5} ${line.kind}`;
+  const kind = ["bound", "right"].includes(line.kind) ? line.kind : `k${i % 5} ${line.kind}`;
   const hasDots = line.kind !== "bound" && line.points.length < 60;
   return [path(`curve ${kind}`, curve), path(`dots ${kind}`, hasDots ? dots : "")];
 }

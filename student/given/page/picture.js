@@ -1,25 +1,36 @@
 const stage = byId("stage");
-const wide = () => stage.clientWidth;
-const high = () => stage.clientHeight;
+let size = [0, 0]; // its own, in pixels; to ask it in each frame would lay the page out each time
+const [wide, high] = [() => size[0], () => size[1]];
 const comparing = () => right !== null && byId("compare").checked;
 
 let whole = null; // the view of the whole trajectory
+let base = null; // the view for which ways are drawn: the stage's, but for a shift
+let middle = [0, 0]; // of the trajectory
 const least = 60; // pixels that the square is wide, or else the view follows it
 
 // A view shows the world's point (x, y), m, at the stage's (X, Y), pixels, with `scale` pixels a
-// metre. What is too far off to be drawn is drawn nearer.
+// metre, turned so that gravity points down. What is too far off to be drawn is drawn nearer.
 const near = (pixels) => between(-1e6, pixels, 1e6);
 const view = (scale, x, y, X, Y) => ({
   scale,
-  to: (a, b) => [near(X + (a - x) * scale), near(Y - (b - y) * scale)],
-  from: (A, B) => [x + (A - X) / scale, y - (B - Y) / scale],
+  to: (a, b) => {
+    const [right, up] = turned(slope, [a - x, b - y]);
+    return [near(X + right * scale), near(Y - up * scale)];
+  },
+  from: (A, B) => {
+    const [right, up] = turned(-slope, [(A - X) / scale, (Y - B) / scale]);
+    return [x + right, y + up];
+  },
 });
 
 function fit() {
   const reach = l / Math.SQRT2; // from the centre to a corner
   const paths = right ? [q, right, ...many] : [q, ...many];
-  const [left, rightmost] = span(paths.flatMap((path) => span(path[0])));
-  const [bottom, top] = span(paths.flatMap((path) => span(path[1])), [reach, -reach]); // and ground
+  const centres = paths.flatMap(([xs, ys]) => xs.map((x, t) => [x, ys[t]]));
+  const onGround = span(centres.map(([x]) => x)).map((x) => [x, reach]);
+  const points = [...centres, ...onGround].map((point) => turned(slope, point));
+  const [left, rightmost] = span(points.map(([x]) => x));
+  const [bottom, top] = span(points.map(([, y]) => y));
   const [width, height] = [wide() - 80, high() - 76]; // within the margins
   const scale = Math.min(
     width / (rightmost - left + 2 * reach),
@@ -28,12 +39,14 @@ function fit() {
   );
   const spare = height - (top - bottom + 2 * reach) * scale;
   const Y = high() - 52 - spare / 4;
-  return view(scale, (left + rightmost) / 2, bottom - reach, 52 + width / 2, Y);
+  middle = turned(-slope, [(left + rightmost) / 2, bottom - reach]);
+  whole = view(scale, ...middle, 52 + width / 2, Y);
+  base = l * scale >= least || many.length ? whole : view(least / l, ...middle, 0, 0);
 }
 
 // The view of what is drawn: the whole, or near the square, with the ground where there is room.
 function camera() {
-  if (l * whole.scale >= least || many.length) return whole;
+  if (base === whole) return whole;
   const [x, y] = pose(shown());
   const scale = least / l;
   const Y = between(least + 20, high() - 52 - y * scale, high() - least - 20);
@@ -43,37 +56,47 @@ function camera() {
 // The stage's paths have names, and the style their looks.
 const set = (id, d) => byId(id).setAttribute("d", d);
 const through = (points) => `M ${points.join(" L ")} `;
+const inPixels = (place) => place.map((pixels) => pixels.toFixed(1)).join(" ");
 
-// Points without those that would fall on the last one.
-function thinned(points) {
-  let last = [Infinity, 0];
-  const isNew = ([X, Y]) => Math.abs(X - last[0]) + Math.abs(Y - last[1]) >= 1;
-  return points.filter((point) => isNew(point) && (last = point));
+// Points {t, x, y} of `of` up to column s, as texts, without those that would fall on the last one.
+// They are found once for a base, and not anew for each frame.
+let [foundIn, found] = [null, null];
+function upTo(s, of, points) {
+  if (base !== foundIn) [foundIn, found] = [base, new WeakMap()];
+  if (!found.has(of)) {
+    let last = [Infinity, 0];
+    const isNew = ([X, Y]) => Math.abs(X - last[0]) + Math.abs(Y - last[1]) >= 1;
+    const all = points().map(({ t, x, y }) => ({ t, place: base.to(x, y) }));
+    const kept = all.filter(({ place }) => isNew(place) && (last = place));
+    found.set(of, kept.map(({ t, place }) => ({ t, text: inPixels(place) })));
+  }
+  return found.get(of).filter(({ t }) => t <= s).map(({ text }) => text);
 }
 
 // The way of the centre up to s.
-function way(at, s, path) {
-  const places = path[0].slice(0, s + 1).map((x, t) => at.to(x, path[1][t]));
-  return through([...thinned(places), at.to(...pose(s, path))]);
+function way(s, path) {
+  const points = () => path[0].map((x, t) => ({ t, x, y: path[1][t] }));
+  return through([...upTo(s, path, points), inPixels(base.to(...pose(s, path)))]);
 }
 
 // Where lowest corners were in contact up to s.
-function contacts(at, s, lows) {
-  const touching = lows.slice(0, s + 1).filter(({ y }) => y < delta);
-  return thinned(touching.map(({ x, y }) => at.to(x, y))).map((dot) => `M ${dot} h 0 `).join("");
+function contacts(s, lows) {
+  const points = () => lows.map((low, t) => ({ t, ...low })).filter(({ y }) => y < delta);
+  return upTo(s, lows, points).map((dot) => `M ${dot} h 0 `).join("");
 }
 
 // The corners on the stage.
 function cornersOn(at, [x, y, theta]) {
   const [X, Y] = at.to(x, y);
-  return corners(theta).map(([r_x, r_y]) => [X + r_x * at.scale, Y - r_y * at.scale]);
+  return corners(theta + slope).map(([r_x, r_y]) => [X + r_x * at.scale, Y - r_y * at.scale]);
 }
 
 const outline = (at, pose) => `${through(cornersOn(at, pose))}Z `;
 
 // The force of the ground at its corner; the longest arrow is a quarter of the stage.
 function arrow(at, t) {
-  const [x, y] = (forces[t] ?? [0, 0]).map((f) => (f * Math.min(high() / 4, 120)) / strongest);
+  if (!forces[t]) return "";
+  const [x, y] = turned(slope, forces[t]).map((f) => (f * Math.min(high() / 4, 120)) / strongest);
   const [X, Y] = at.to(lows[t].x, lows[t].y);
   const head = Math.min(9 / Math.hypot(x, y), 0.5);
   const tip = [X + x, Y - y];
@@ -83,20 +106,26 @@ function arrow(at, t) {
 
 // The ground, and a grid of squares, numbered in metres along the lower and the left edge.
 function drawGround(at) {
-  const [[left, top], [rightmost, bottom]] = [at.from(0, 0), at.from(wide(), high())];
+  const [W, H] = size;
+  const ends = [[0, 0], [W, 0], [0, H], [W, H]].map((end) => at.from(...end));
+  const [x_0, y_0] = at.from(W / 2, H / 2);
+  // Where the line of an x is at a height of the stage, and that of a y at a width.
+  const lean = Math.tan(slope);
+  const X = (x, height, [a, b] = at.to(x, y_0)) => a + lean * (height - b);
+  const Y = (y, width, [a, b] = at.to(x_0, y)) => b - lean * (width - a);
+  const crisp = (pixels) => Math.round(pixels) + 0.5;
   const step = round125(100 / at.scale);
   const places = between(0, -Math.floor(Math.log10(step)), 15);
   const label = (value, X, Y) => make("text", { x: X, y: Y }, `${text(value, places)} m`);
-  const [columns, rows] = [multiples(step, left, rightmost), multiples(step, bottom, top)];
-  const X = columns.map((x) => Math.round(at.to(x, 0)[0]) + 0.5);
-  const Y = rows.map((y) => Math.round(at.to(0, y)[1]) + 0.5);
+  const [columns, rows] = [0, 1].map((i) => multiples(step, ...span(ends.map((end) => end[i]))));
+  const isWithin = (y) => 16 < Y(y, 10) && Y(y, 10) < H - 28;
   byId("grid").replaceChildren(
-    ...X.map((X) => path("grid", `M ${X} 0 V ${high()}`)),
-    ...Y.map((Y) => path("grid", `M 0 ${Y} H ${wide()}`)),
-    ...columns.map((x, i) => (X[i] < wide() - 60 ? label(x, X[i] + 5, high() - 10) : "")),
-    ...rows.map((y, i) => (16 < Y[i] && Y[i] < high() - 28 ? label(y, 10, Y[i] - 5) : "")),
+    ...columns.map((x) => path("grid", `M ${crisp(X(x, 0))} 0 L ${crisp(X(x, H))} ${H}`)),
+    ...rows.map((y) => path("grid", `M 0 ${crisp(Y(y, 0))} L ${W} ${crisp(Y(y, W))}`)),
+    ...columns.filter((x) => X(x, H) < W - 60).map((x) => label(x, X(x, H - 10) + 5, H - 10)),
+    ...rows.filter(isWithin).map((y) => label(y, 10, Y(y, 10) - 5)),
   );
-  set("ground", `M -9 ${at.to(0, 0)[1]} H ${wide() + 9} V ${high() + 9} H -9 Z`);
+  set("ground", `M -9 ${Y(0, -9)} L ${W + 9} ${Y(0, W + 9)} V ${H + 9} H -9 Z`);
 }
 
 const echo = 0.25; // s of real time: a bounce lasts one step, too short to be seen
@@ -105,16 +134,20 @@ let grounded = null; // the view of which the ground is
 
 function draw(at, s) {
   if (at !== grounded) drawGround((grounded = at));
+  const [from, to] = [base, at].map((view) => view.to(...middle));
+  const shift = `translate(${to[0] - from[0]} ${to[1] - from[1]})`;
+  for (const id of ["way", "contacts", "true-way", "true-contacts"])
+    byId(id).setAttribute("transform", shift);
   set("squares", many.map((path) => outline(at, pose(s, path))).join(""));
   // Past positions of the square at equal steps of time, as under a stroboscope.
   const past = multiples(round125(Math.max(T / 20, 1)), 0, s);
   set("past", past.map((t) => outline(at, column(t))).join(""));
-  set("way", way(at, s, q));
-  set("contacts", contacts(at, s, lows));
+  set("way", way(s, q));
+  set("contacts", contacts(s, lows));
   byId("ghost").toggleAttribute("hidden", !comparing());
   if (comparing()) {
-    set("true-way", way(at, s, right));
-    set("true-contacts", contacts(at, s, lowsRight));
+    set("true-way", way(s, right));
+    set("true-contacts", contacts(s, lowsRight));
     set("true-square", outline(at, pose(s, right)));
   }
   // The square, with a line along its own x axis and a ring at its lowest corner.

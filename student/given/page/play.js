@@ -3,7 +3,7 @@
 let thrown = {}; // all numbers of a throw, by the names that a command has
 let throws = Promise.resolve(); // all answers up to the last throw's
 let chosen = 1; // the path of the dashed square
-let paths = []; // of the program and of the models, in the table's order
+let paths = []; // of the program, and the true one with up to 2 corners that touch, 1 and 0
 let farthest = []; // m, that each gets from the true motion
 let news = ""; // what is said beside an answer
 
@@ -45,7 +45,8 @@ async function simulate(scene) {
   }
 }
 
-// Throws it with these numbers once earlier throws are answered, unless another follows till then.
+// Throws it with these numbers once earlier throws are answered, unless another follows till then;
+// whether it is shown.
 // Where the square's lowest corner would begin in the ground, it is lifted.
 function begin(numbers, time = 0, words = "") {
   const reach = Math.max(...corners(numbers.theta, numbers.l).map(([, y]) => y));
@@ -53,19 +54,21 @@ function begin(numbers, time = 0, words = "") {
   news = words;
   showSettings();
   const run = () => mine === thrown && throwIt(sceneOf(mine), time);
-  return (throws = throws.then(run, run));
+  throws = throws.then(run, run);
+  return throws;
 }
 
 async function throwIt(scene, time) {
   const answer = await simulate(scene);
-  if (!answer || held) return;
+  if (!answer || held) return false;
   paths = [answer.q, ...[2, 1, 0].map((touch) => truth(scene.q, scene.v, scene.params, touch))];
   const most = (path) => path[0].reduce((far, _, t) => Math.max(far, distance(path, t)), 0);
   farthest = paths.map(most);
   present({ ...answer, right: paths[chosen] }, time);
+  return true;
 }
 
-const throwAgain = (numbers = thrown) => begin(numbers).then(() => setPlaying(true));
+const throwAgain = (numbers = thrown) => begin(numbers).then((isShown) => setPlaying(isShown));
 
 // ---- how far from the true motion ----
 
@@ -80,19 +83,62 @@ function inWords(metres) {
 }
 
 showMore = () => {
+  if (question?.isOpen && position > 0) question.isOpen = false;
+  document.body.classList.toggle("unknown", Boolean(held || question?.isOpen));
   if (held) return drawThread();
-  paths.forEach((path, i) => {
-    const { cells } = byId("errors").tBodies[0].rows[i];
-    cells[1].textContent = inWords(distance(path, columnShown()));
-    cells[2].textContent = inWords(farthest[i]);
-  });
+  const [now, most] = [distance(q, columnShown()), farthest[0]].map(inWords);
+  const [, , one, none] = farthest.map((metres) => metres < 1e-3);
+  const least = none ? "flight alone" : one ? "contact at one corner" : "contact at two corners";
+  byId("errors").textContent =
+    `Your program is ${now} from the true motion now, and ${most} at most. ` +
+    `To be exact to a millimetre, a model needs ${least} here.`;
+  if (question && position >= T - 1 && question.told !== q) compare(question);
 };
 
-byId("errors").addEventListener("change", ({ target }) => {
+byId("model").addEventListener("change", ({ target }) => {
   chosen = Number(target.value);
-  const less = `a square with less than the whole model, ${target.parentNode.textContent.trim()}`;
-  byId("dashed").textContent = chosen === 1 ? "the true motion" : less;
+  byId("dashed").textContent = target.selectedOptions[0].text;
   present({ l, dt, delta, q, motion, right: paths[chosen] }, shown() * dt);
+});
+
+// ---- predictions ----
+
+let question = null; // of the scene: the data of its option; open until it is run
+
+// What is asked for, in the unit of the question.
+const outcomes = {
+  energy: () => (100 * energies(T - 1).total) / energies(0).total,
+  depth: () => -100 * span(lows.map(({ y }) => y))[0],
+  height: () => 1000 * span(lows.map(({ y }) => y))[1],
+  spin: () => Math.abs(motion.v[2][lows.findIndex(({ y }) => y < delta) + 1]),
+  way: () => 100 * Math.abs(q[0][T - 1] - q[0][0]),
+  apart: () => dt * q[0].findIndex((_, t) => distance(q, t) > l),
+};
+
+function setQuestion(option) {
+  question = option?.dataset.ask ? { ...option.dataset, isOpen: true } : null;
+  byId("prediction").hidden = !question;
+  if (!question) return;
+  document.body.classList.add("unknown");
+  for (const [id, words] of [["asked", question.ask], ["unit", question.unit], ["happened", ""]])
+    byId(id).textContent = words;
+  byId("predicted").value = "";
+  if (q) seek(0); // what moved before says nothing of it
+}
+
+function compare({ outcome, unit, why }) {
+  question.told = q;
+  const number = outcomes[outcome]();
+  const own = number >= 0 ? `${digits(number)} ${unit}` : "no answer";
+  const { value } = byId("predicted");
+  const predicted = value && `You predicted ${value} ${unit}. `;
+  byId("happened").textContent = `${predicted}Your program gives ${own}. ${why}`;
+}
+
+byId("prediction").addEventListener("submit", (event) => {
+  event.preventDefault();
+  seek(0);
+  setPlaying(true);
 });
 
 // ---- settings ----
@@ -113,7 +159,9 @@ function showSettings() {
 
 settings.addEventListener("input", ({ target: { name, value, dataset } }) => {
   const number = dataset.power ? 10 ** value : Number(value);
-  if (name) begin({ ...thrown, [name]: Number(digits(number, 5)) }, shown() * dt);
+  if (!name) return;
+  setQuestion(null);
+  begin({ ...thrown, [name]: Number(digits(number, 5)) }, shown() * dt);
 });
 settings.addEventListener("submit", (event) => {
   event.preventDefault();
@@ -137,8 +185,11 @@ function setScene(command) {
   }
   select.value = command;
   if (select.selectedIndex < 0) select.value = ""; // it isn't in the list
-  const isStill = media("prefers-reduced-motion: reduce").matches;
-  return begin(numbers).then(() => setPlaying(!isStill));
+  const [option] = select.selectedOptions;
+  speed.value = option.dataset.speed ?? "1";
+  setQuestion(option);
+  const isStill = question || media("prefers-reduced-motion: reduce").matches;
+  return begin(numbers).then((isShown) => setPlaying(isShown && !isStill));
 }
 
 const scenes = given.scenes.map(({ name, title }) => new Option(title, `${name} dt=0.001`));
@@ -193,6 +244,7 @@ function letGo() {
   held = null;
   set("thread", "");
   select.value = "";
+  setQuestion(null);
   throwAgain({ ...thrown, x, y, theta, vx, vy, omega });
 }
 
@@ -214,36 +266,6 @@ stage.addEventListener("pointermove", ({ offsetX, offsetY }) => {
   if (held) held.to = camera().from(offsetX, offsetY);
 });
 for (const end of ["pointerup", "pointercancel"]) addEventListener(end, letGo);
-
-// ---- experiments ----
-
-// A question of Explore: its heading and what follows. Its commands become buttons, and its answers
-// are there once something was predicted or run.
-function experiment(heading) {
-  const card = make("article", {}, make("h3", {}, ...heading.childNodes));
-  const label = `Your prediction for ${card.textContent}`;
-  while (heading.nextElementSibling?.matches("p, details")) card.append(heading.nextElementSibling);
-  const about = { "aria-label": label, placeholder: "Your prediction" };
-  card.querySelector("p").after(make("textarea", about));
-  for (const code of card.querySelectorAll(":scope > p code")) {
-    const command = code.textContent.replace(/^.*--scene /, "");
-    const isScene = given.scenes.some(({ name }) => name === command.split(" ")[0]);
-    if (!isScene && !/^\w+=\S+$/.test(command)) continue;
-    const button = make("button", { type: "button" }, command);
-    button.addEventListener("click", () => {
-      card.classList.add("run");
-      stage.scrollIntoView({ block: "nearest" });
-      setScene(command);
-    });
-    code.replaceWith(button);
-  }
-  return card;
-}
-
-const explore = new DOMParser().parseFromString(given.explore, "text/html");
-const questions = [...explore.querySelectorAll("h2")].filter((h2) => /^\d/.test(h2.textContent));
-byId("experiments").lastElementChild.append(...questions.map(experiment));
-byId("experiments").hidden = questions.length === 0;
 
 // ---- the page begins ----
 

@@ -1,11 +1,11 @@
 let plotted = []; // the charts beside the square, each with its legend and the time that is shown
 
 // Not every column of a long motion, and nothing that is beyond all bounds.
-function line(name, values) {
+function line(name, values, kind = "own") {
   const every = Math.ceil(T / 2000);
   const points = values.map((value, t) => [t * dt, value]);
   const isDrawn = ([, value], t) => t % every === 0 && Math.abs(value) < 1e100;
-  return { name, values, kind: "own", points: points.filter(isDrawn) };
+  return { name, values, kind, points: points.filter(isDrawn) };
 }
 
 function layOut() {
@@ -16,8 +16,9 @@ function layOut() {
     const apart = q[0].map((_, t) => Math.max(...many.map(away(t))));
     charts["largest distance, m"] = [line("from the middle one", apart)];
   }
-  charts["height \u03c6, m"] = [line("\u03c6", lows.map(({ y }) => y))];
-  if (comparing()) charts["height \u03c6, m"].push(line("dashed", lowsRight.map(({ y }) => y)));
+  const heights = (lows) => lows.map(({ y }) => y);
+  charts["height \u03c6, m"] = [line("\u03c6", heights(lows))];
+  if (comparing()) charts["height \u03c6, m"].push(line("dashed", heights(lowsRight), "right"));
   if (motion) {
     const all = q[0].map((_, t) => energies(t));
     charts["energy, J"] = Object.keys(all[0]).map((name) => line(name, all.map((of) => of[name])));

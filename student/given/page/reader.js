@@ -71,8 +71,9 @@ function show() {
 
 function redraw() {
   if (!q) return;
-  whole = fit();
-  set("ways", many.map((path) => way(whole, T - 1, path)).join(""));
+  size = [stage.clientWidth, stage.clientHeight];
+  fit();
+  set("ways", many.map((path) => way(T - 1, path)).join(""));
   layOut();
   show();
 }
@@ -81,8 +82,11 @@ function redraw() {
 function present(animation, time = 0) {
   load(animation);
   position = Math.min(Math.round(time / dt), T - 1);
+  const [g_x, g_y] = motion?.g ?? [0, 0];
+  slope = g_y < 0 ? Math.atan2(-g_x, -g_y) : 0;
+  for (const id of ["gravity", "sloping"]) byId(id).toggleAttribute("hidden", slope === 0);
   const [step, side] = [dt, l].map((value) => digits(value, 6));
-  byId("about").innerHTML = `<i>T</i> = ${T}, &Delta;<i>t</i> = ${step} s, <i>l</i> = ${side} m`;
+  byId("about").textContent = `T = ${T}, dt = ${step} s, l = ${side} m`;
   byId("column").style.minWidth = `${2 * String(T - 1).length + 2}ch`;
   slider.max = T - 1;
   byId("crowd").hidden = !many.length;
@@ -106,7 +110,7 @@ document.addEventListener("keydown", (event) => {
   const act = keys[event.key];
   // What has the focus handles some keys itself.
   const own = event.key === " " ? "button, summary, [type=checkbox]" : "[type=range]";
-  const takes = event.target.matches(`select, textarea, [type=number], [type=radio], ${own}`);
+  const takes = event.target.matches(`select, [type=number], ${own}`);
   if (!act || takes || event.ctrlKey || event.metaKey || event.altKey) return;
   event.preventDefault();
   act();

@@ -2,6 +2,7 @@
 // known; right is the true q, or null; many holds more of them.
 let l, dt, delta, q, motion, right, many;
 let T, lows, lowsRight, forces, strongest, places, timePlaces;
+let slope = 0; // of the ground on the stage, counter-clockwise, where gravity points down
 
 // An arm in the square's own axes, as the world sees it.
 function turned(theta, [x, y]) {

@@ -126,8 +126,7 @@ int serve(const fs::path& given) {
   const int port = bind(server);
   const std::string path = secret_path();
   server.Get(path, [](const auto&, auto& response) {
-    const json data{{"scenes", study::read_json("fixtures/study.json")},
-                    {"explore", check::read("explore.html")}};
+    const json data{{"scenes", study::read_json("fixtures/study.json")}};
     response.set_content(study::page_with("play.html", data), "text/html; charset=utf-8");
   });
   server.Get(path + "version", [&](const auto&, auto& response) {

@@ -51,9 +51,9 @@ double median(std::vector<double> all) {
   return all.size() % 2 ? all[half] : (all[half - 1] + all[half]) / 2;
 }
 
-// "0.095 m/s"
+// "0.0954 m/s": two laws that differ only in the third digit are told apart.
 std::string speed(double metres_per_second) {
-  return std::isfinite(metres_per_second) ? study::number(metres_per_second, "%.2g") + " m/s"
+  return std::isfinite(metres_per_second) ? study::number(metres_per_second, "%#.3g") + " m/s"
                                           : "no answer";
 }
 

@@ -177,11 +177,11 @@ def test_a_study_tells_what_keeps_a_wrong_part_from_the_truth(home: Path) -> Non
 
 # By the mistake of part 2: the error, and how the sentence ends.
 REAL = {
-    "": ("0.091 m/s", "What is left is the error of the law, not of your program."),
-    "restitution_left_out": ("0.27 m/s", "comes from your program."),
-    "friction_directions_swapped": ("0.27 m/s", "comes from your program."),
-    "mass_in_place_of_its_inverse": ("11 m/s", "comes from your program."),
-    "force_is_g": ("0.091 m/s", "(the least that any push at the corner leaves)."),
+    "": ("0.0908 m/s", "What is left is the error of the law, not of your program."),
+    "restitution_left_out": ("0.267 m/s", "comes from your program."),
+    "friction_directions_swapped": ("0.273 m/s", "comes from your program."),
+    "mass_in_place_of_its_inverse": ("10.7 m/s", "comes from your program."),
+    "force_is_g": ("0.0908 m/s", "(the least that any push at the corner leaves)."),
     "last_column_left_zero": ("no answer", "finds no solution to your V and p."),
 }
 
@@ -203,10 +203,10 @@ def test_asks_the_students_own_part_2_alone_about_measured_impacts(
     real = drawn(page)
     assert {bar["name"]: bar["label"] for bar in real["bars"]} == {
         "your form_lcp": error,
-        "the assignment's law, as the course solves it": "0.091 m/s",
-        "a corner without friction": "0.15 m/s",
-        "a corner that always sticks": "0.15 m/s",
-        "the least that any push at the corner leaves": "0.009 m/s",
+        "the assignment's law, as the course solves it": "0.0908 m/s",
+        "a corner without friction": "0.155 m/s",
+        "a corner that always sticks": "0.150 m/s",
+        "the least that any push at the corner leaves": "0.00905 m/s",
     }
     assert real["sentence"].endswith(sentence) and real["wrong"] == bool(mistake)
     assert real["sentence"] in " ".join(done.stdout.split())
