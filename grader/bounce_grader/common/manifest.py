@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import cache
@@ -47,7 +48,11 @@ def read() -> tuple[tuple[Part, ...], float]:
     except (OSError, ValueError) as error:
         raise UsageError(f"{NAME} can't be read as JSON: {error}") from error
     except (KeyError, TypeError) as error:
-        raise UsageError(f"{NAME} lacks something, or has it in another form: {error}") from error
+        lacks = isinstance(error, KeyError) or "missing" in str(error)
+        keys = ", ".join(re.findall(r"'\w+'", str(error))) or "this form"
+        raise UsageError(
+            f"{NAME}: an entry {'lacks' if lacks else 'may not have'} {keys}"
+        ) from error
     for problem in _problems(found, examples):
         raise UsageError(f"{NAME}: {problem}")
     return found, float(examples)
