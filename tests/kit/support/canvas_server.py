@@ -58,6 +58,7 @@ class State:
         for one in changes.get("add", []):
             self.add(**one)
         for user, values in changes.get("set", {}).items():
+            self.submissions[int(user)].pop("entered_score", None)
             self.submissions[int(user)] |= {name: value or None for name, value in values.items()}
         for user, values in changes.get("attachment", {}).items():
             self.submissions[int(user)]["attachments"][0] |= values  # "" is none

@@ -29,7 +29,7 @@ WAIT = 1.0  # s before the second try; doubled each time
 BUSY = (403, 429, 500, 502, 503, 504)  # where Canvas asks to wait, or has an error of its own
 SECONDS = 60.0  # of one request
 LARGEST = 64 << 20  # bytes of one answer, and of all files of a student
-INCLUDED = ("user", "group", "assignment", "submission_comments")
+ALSO = "&include[]=".join(("", "user", "group", "assignment", "submission_comments"))
 FILES = "canvas"  # the folder in OUT with what was downloaded
 TYPED = {"online_text_entry": "text was typed", "online_url": "an address was typed"}
 
@@ -86,8 +86,7 @@ class Canvas:
 
     def submissions(self) -> Iterator[Submission]:
         """Those of all students, page by page. Raises UsageError where Canvas doesn't show them."""
-        include = "".join(f"include[]={also}&" for also in INCLUDED)
-        url: str | None = f"{self._origin}{self.path}/submissions?{include}per_page=100"
+        url: str | None = f"{self._origin}{self.path}/submissions?per_page=100{ALSO}"
         while url:
             try:
                 body, url = self.request("GET", url)

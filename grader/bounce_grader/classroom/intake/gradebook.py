@@ -137,6 +137,9 @@ def _column_of_grades(table: Table, title: str) -> int:
         most, words = set(numbers[i + 1]), set(numbers[i + 2])
         if not title and all(points) and len(most - {None}) == len(most) == 1 and words == {None}:
             return i
+    if not title and "Grade" not in table.header:
+        why = "has no column of points, as of an assignment that is graded by a scale"
+        raise UsageError(f"{table.name} {why}: name one by --column")
     return _only_column(table, title or "Grade", re.compile(""))
 
 

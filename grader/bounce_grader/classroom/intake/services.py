@@ -214,8 +214,9 @@ def _read_brightspace(archive: Archive, people: Names) -> Read:
         whose[f"{given} {family}".strip().casefold()].append(id)
     for numbers, uploads in attempts.items():
         name, last = uploads[0].name, max(upload.number for upload in uploads)
-        if not last and len(set(map(_attempt, uploads))) > 1:
-            read[numbers] = "has several attempts, whose dates can't be read: keep the last of them"
+        if not last and any(_folder([upload]) != _folder(uploads) for upload in uploads):
+            why = "has several attempts, and their dates can't be read: keep the last one"
+            read[f"{numbers} - {name}"] = why
         else:
             own = whose[name.casefold()]
             (user,) = own if len(own) == named[name.casefold()] == 1 else [numbers]
@@ -223,12 +224,9 @@ def _read_brightspace(archive: Archive, people: Names) -> Read:
     return read
 
 
-def _attempt(upload: Upload) -> str:
-    return upload.entry.partition("/")[0]
-
-
-def _number(upload: Upload) -> int:
-    return upload.number
+def _folder(uploads: Sequence[Upload]) -> str:
+    """Of the newest attempt, in Brightspace's download."""
+    return max(uploads, key=lambda upload: upload.number).entry.partition("/")[0]
 
 
 def _when(date: str) -> int:
@@ -271,7 +269,7 @@ BRIGHTSPACE = Service(
     "Brightspace",
     [r"(?P<user>\d+-\d+) - (?P<name>[^/]+) - (?P<date>[^/]*\d{4}[^/]*)/(?P<file>.+)"],
     _read_brightspace,
-    lambda uploads: f"{fitting(printable_name(_attempt(max(uploads, key=_number))))}.html",
+    lambda uploads: f"{fitting(printable_name(_folder(uploads)))}.html",
 )
 # Blackboard comes last: the others write the beginning of each name themselves.
 SERVICES = (MOODLE, CANVAS, BRIGHTSPACE, BLACKBOARD)

@@ -8,7 +8,7 @@ import hashlib
 import json
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -46,7 +46,7 @@ def show_or_post(canvas: Canvas, summaries: Sequence[Summary], options: Any, ded
     book = _gradebook(canvas, listed)
     filled, sentences = fill(book, finals, False, written, options.overwrite)
     points = {line.ids[0]: short(value) for line, value in filled if number_in(line.there) != value}
-    sentences[:0] = [*_level(_groups(listed), filled, points), *_twice(canvas, deducts)]
+    sentences[:0] = [*_level(listed, filled, points), *_twice(canvas, deducts)]
     page_of = {one.id: s.student.feedback for s in summaries for one in s.finals}
     page_of |= {s.student.id: s.student.feedback for s in summaries if s.state == "unreadable"}
     changes = []
@@ -102,30 +102,30 @@ def _posted(submission: Submission) -> str:
     return next(iter(PAGE.findall(" ".join(str(f.get("display_name")) for f in files))[::-1]), "")
 
 
-def _groups(listed: Iterable[Submission]) -> dict[str, list[str]]:
-    """The users of each group to whose members Canvas gives one grade."""
-    groups: dict[str, list[str]] = defaultdict(list)
+def _level(
+    listed: Iterable[Submission], filled: Iterable[tuple[Line, float]], points: dict[str, str]
+) -> list[str]:
+    """Where Canvas gives all members of a group one grade, leaves one of them in `points`, or none if
+    they differ. Returns a sentence on each such group."""
+    have: dict[tuple[Any, str], dict[str, str]] = defaultdict(dict)  # by the group and the user
+    values, sentences = {line.ids[0]: short(value) for line, value in filled}, []
     for submission in listed:
         settings, group = submission.get("assignment") or {}, submission.get("group") or {}
         apart = settings.get("grade_group_students_individually", True)
         if settings.get("group_category_id") and not apart and group.get("id"):
-            groups[printable_name(str(group.get("name")))].append(str(submission["user_id"]))
-    return groups
-
-
-def _level(
-    groups: Mapping[str, list[str]], filled: Iterable[tuple[Line, float]], points: dict[str, str]
-) -> list[str]:
-    """Leaves in `points` one member of each group, who stands for all. A group whose members differ
-    gets none: returns a sentence for each."""
-    values, sentences = {line.ids[0]: short(value) for line, value in filled}, []
-    for name, users in groups.items():
-        have = list(dict.fromkeys(values.get(user, "none") for user in users))
-        for user in users if len(have) > 1 else [u for u in users if u in points][1:]:
-            points.pop(user, None)
-        if len(have) > 1:
-            one = f"{name}: Canvas gives its members one grade, but they have {', '.join(have)} points"
-            sentences.append(f"{one}: choose individual grades there, or give them the same")
+            user = str(submission["user_id"])
+            have[group["id"], printable_name(str(group.get("name")))][user] = values.get(user, "no")
+    for (_, name), members in have.items():
+        differ = len({*members.values()}) > 1
+        new = [user for user in members if user in points]
+        for user in new if differ else new[1:]:
+            del points[user]
+        if differ:
+            unlike = f"they have {' and '.join(dict.fromkeys(members.values()))} points"
+            then = "choose individual grades there, or give them the same"
+            sentences.append(f"{name}: Canvas gives its members one grade, but {unlike}: {then}")
+        elif new:
+            sentences.append(f"{name}: its points are posted once, for all of its members")
     return sentences
 
 
@@ -134,7 +134,7 @@ def _twice(canvas: Canvas, deducts: bool) -> list[str]:
     with suppress(Refused):  # as where the course has no policy
         policy = canvas.call("GET", f"{canvas.course}/late_policy") if deducts else {}
         if (policy.get("late_policy") or {}).get("late_submission_deduction_enabled"):
-            both = f"Canvas deducts points for lateness by its late policy, and so does course.toml"
+            both = "Canvas deducts points for lateness by its late policy, and so does course.toml"
             return [f"{both}: they are deducted twice, unless you remove one of the two"]
     return []
 

@@ -83,7 +83,7 @@ def fill(
         if final.id not in times
     ]
     if without:
-        sentences.append(f"{first_few(without, separator='; ')}: no score, so nothing is filled in")
+        sentences.append(f"{first_few(without, 20, '; ')}: no score, so nothing is filled in")
     return filled, list(dict.fromkeys(sentences))
 
 
@@ -139,5 +139,5 @@ def write(path: Path, people: People, summaries: Sequence[Summary], overwrite: b
         sentences = [f"{book.name} lacks {cells}: if that is imported, {again}", *sentences]
     if unknown := [one.id for one in finals if one not in given]:
         where = f"not in {ROSTER}, so their points are in grades.csv alone"
-        sentences = [f"{first_few(unknown, separator='; ')}: {where}", *sentences]
+        sentences = [f"{first_few(unknown, 20, '; ')}: {where}", *sentences]
     return sentences
