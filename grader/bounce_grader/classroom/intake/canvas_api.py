@@ -33,8 +33,9 @@ ALSO = "&include[]=".join(("", "user", "group", "assignment", "submission_commen
 FILES = "canvas"  # the folder in OUT with what was downloaded
 TYPED = {"online_text_entry": "text was typed", "online_url": "an address was typed"}
 
-
-IsDone = Callable[[], bool]
+Fields = Mapping[str, str]
+IsDone = Callable[[], bool] | None
+Answer = tuple[bytes, str | None]
 Submission = dict[str, Any]  # one, and its person's name and files, as the API describes them
 
 
@@ -95,35 +96,26 @@ class Canvas:
                 raise UsageError(what) from None
             yield from _json(body)
 
-    def call(
-        self,
-        method: str,
-        path: str,
-        fields: Mapping[str, str] = {},
-        is_done: IsDone = lambda: False,
-    ) -> Any:
+    def call(self, method: str, path: str, fields: Fields = {}, is_done: IsDone = None) -> Any:
         """What the API answers. Before a request is repeated, `is_done` looks whether it was taken
         and only its answer was lost."""
         return _json(self.request(method, self._origin + path, is_done, data=fields)[0])
 
-    def request(
-        self, method: str, url: str, is_done: IsDone = lambda: False, **content: Any
-    ) -> tuple[bytes, str | None]:
+    def request(self, method: str, url: str, is_done: IsDone = None, **content: Any) -> Answer:
         """The body of an answer, and the address of the list's next page. Raises UsageError if the
         token isn't accepted, Refused if this request isn't, NoAnswer if there is none."""
         for attempt in range(TRIES - 1):
             try:
                 return self._request(method, url, content)
             except NoAnswer as error:
-                if not attempt:
-                    words = f"{error.server} is busy or down; trying again for half a minute"
-                    print(f"kit: {words}", file=sys.stderr)
+                words = f"kit: {error.server} is busy or down; trying again for half a minute\n"
+                sys.stderr.write(words * (not attempt))
                 time.sleep(WAIT * 2**attempt)
-            if is_done():
+            if is_done and is_done():
                 return b"null", None
         return self._request(method, url, content)
 
-    def _request(self, method: str, url: str, content: dict[str, Any]) -> tuple[bytes, str | None]:
+    def _request(self, method: str, url: str, content: dict[str, Any]) -> Answer:
         wanted: dict[str, Any] = {"stream": True, "timeout": SECONDS, "auth": self._sign, **content}
         try:
             with self._session.request(method, url, **wanted) as answer:
@@ -140,9 +132,7 @@ class Canvas:
         if answer.status_code in BUSY and (answer.status_code != 403 or b"Rate Limit" in body):
             raise NoAnswer(answer.url)
         if not answer.ok:
-            lacks = ": the person of CANVAS_TOKEN may not do that" * (
-                answer.status_code in (401, 403)
-            )
+            lacks = ": CANVAS_TOKEN's owner lacks the right" * (answer.status_code in (401, 403))
             raise Refused(f"{answer.status_code} {printable_name(answer.reason or '')}{lacks}")
         return body, answer.links.get("next", {}).get("url")
 

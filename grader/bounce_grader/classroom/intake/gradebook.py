@@ -118,7 +118,7 @@ def _add(book: Gradebook, number: int, cells: Mapping[str, str], row: Row) -> No
         for title in filter(cells.__contains__, WORDS["status"]):
             book.late[ids[0]] = days_late(cells[title])
     elif book.service == "brightspace":
-        ids = [cells[title].removeprefix("#") for title in ("OrgDefinedId", "Username")]
+        ids = [cells[t].removeprefix("#") for t in ("OrgDefinedId", "Username") if t in cells]
         book.possible += MOST.findall(book.title)
     else:
         ids, there = [cells["Username"]], re.sub(r"(?s)Needs Grading.*", "", there)
