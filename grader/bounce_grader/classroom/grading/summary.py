@@ -53,7 +53,7 @@ class Summary:
             reasons += [f"{name}: {part['status'].replace('_', ' ')}"] * (part["status"] in ODD)
             reasons += [f"{name}: {remark}" for remark in part["remarks"]]
         twice = [name for name in self.unused if JUDGED in name]
-        reasons += [*self._misnamed(), *twice, *self.notes]
+        reasons += [*(self._misnamed() or twice), *self.notes]
         if (box := self.record.get("box")) in ("none", "reduced"):
             reasons.append(f"graded with {'no' if box == 'none' else 'a reduced'} box")
         return "; ".join(dict.fromkeys(reasons))
