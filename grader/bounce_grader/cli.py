@@ -113,10 +113,11 @@ def _add_grade(parser: argparse.ArgumentParser) -> None:
 
 def _add_class(parser: argparse.ArgumentParser) -> None:
     option = parser.add_argument
-    handed_in = "Canvas's download, a folder of folders or of zips, or a checkout of repositories"
+    services = "Canvas, Moodle, Blackboard or Brightspace"
+    handed_in = f"a download from {services}, a folder of folders or zips, or of repositories"
     option("submissions", type=given_path, nargs="?", help=handed_in)
     option("--out", type=given_path, required=True, metavar="DIR", help="the folder to write")
-    option("--gradebook", type=given_path, metavar="CSV", help="the gradebook that Canvas exported")
+    option("--gradebook", type=given_path, metavar="CSV", help=f"the grades from {services}")
     option("--column", default="", metavar="TITLE", help="its column, as in 'HW3 (98765)'")
     download = "download the submissions by Canvas's API, with CANVAS_URL and CANVAS_TOKEN from"
     canvas = f"{download} the environment; shows what --upload would change there"

@@ -6,6 +6,8 @@ from pathlib import Path
 from bounce_grader import formats
 from bounce_grader.common.errors import UsageError
 from bounce_grader.common.files import write_whole
+from bounce_grader.common.manifest import full_points
+from bounce_grader.common.numbers import short
 from bounce_grader.grading.grade import grade, Options
 from bounce_grader.grading.report import report
 from bounce_grader.grading.self_check import require_sound_judge
@@ -15,6 +17,9 @@ from bounce_grader.sandbox.box import kinds
 def run(options: argparse.Namespace) -> int:
     if options.format and options.json == "-":
         raise UsageError("--format and --json - both write to standard output: give one")
+    if not 0 <= (options.min_score or 0) <= full_points():
+        most = f"takes points from 0 to {short(full_points())}, not {short(options.min_score)}"
+        raise UsageError(f"--min-score {most}")
     folder = Path(options.json or "").parent
     if not folder.is_dir():
         raise UsageError(f"{options.json} can't be written: there is no folder {folder}")

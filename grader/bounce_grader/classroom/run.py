@@ -11,7 +11,7 @@ from bounce_grader.classroom.grading import grading, near_copies, results
 from bounce_grader.classroom.grading.summary import Summary
 from bounce_grader.classroom.intake import gradebook, students
 from bounce_grader.classroom.intake.canvas_api import Canvas, download
-from bounce_grader.classroom.output import canvas_upload, feedback, page, points
+from bounce_grader.classroom.output import canvas_upload, earlier, feedback, page, points
 from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import csv_row, terminal
@@ -116,6 +116,7 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
         return status
     results.count(folder, stamp)
     people.give_points(summaries)
+    earlier.note_fewer(out, tasks, summaries)
     near = near_copies.find(summaries, corpus)
     pages = feedback.write(out, summaries)
     sentences, written = intake.strays, ["grades.csv", "class.html", "feedback/"]
@@ -133,7 +134,8 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
     _print(looks, sentences, page.of_near_copies(near))
     print(f"Written to {out}: {', '.join(written)}")
     if canvas:
-        return max(status, canvas_upload.show_or_post(canvas, summaries, options))
+        deducts = people.course.percent_per_day > 0
+        return max(status, canvas_upload.show_or_post(canvas, summaries, options, deducts))
     if to_upload := feedback.zip_new(out, intake.service, pages):
         print(to_upload)
     return status

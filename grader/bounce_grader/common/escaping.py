@@ -25,6 +25,7 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 from html import escape
+from unicodedata import name as unicode_name
 
 REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
 ZERO_WIDTH_SPACE = "\N{ZERO WIDTH SPACE}"
@@ -55,6 +56,12 @@ def in_one_line(text: str) -> str:
 def printable_name(text: str) -> str:
     """For the record: the name of a file, in one line."""
     return printable_text(text, LONGEST_NAME).replace("\n", REPLACEMENT)
+
+
+def alphabetical(name: str) -> str:
+    """To sort names by: a Latin letter counts without its marks, as L for Ł."""
+    letters = ((c, re.match(r"LATIN \w+ LETTER (\w) WITH", unicode_name(c, ""))) for c in name)
+    return "".join(match[1] if match else c for c, match in letters).casefold()
 
 
 def first_few(items: Sequence[str], limit: int = 5, separator: str = ", ", more: int = 0) -> str:

@@ -7,6 +7,7 @@ others.
 
 import json
 import math
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import cache

@@ -31,6 +31,7 @@ def run(options: argparse.Namespace) -> int:
 def _packed(root: Path) -> Iterator[Path]:
     for place in (root / name for name in PACKED):
         for file in [place, *place.rglob("*")]:
-            is_left_out = LEFT_OUT & {*file.parts} or BUILT in file.parents or file.suffix == ".zip"
+            inside = file.relative_to(root).parts
+            is_left_out = LEFT_OUT & {*inside} or BUILT in file.parents or file.suffix == ".zip"
             if file.is_file() and not file.is_symlink() and not is_left_out:
                 yield file

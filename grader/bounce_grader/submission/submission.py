@@ -26,6 +26,7 @@ GIVEN_IN_FOLDERS = {file.relative_to(HANDOUT).parts for file in (HANDOUT / "give
 MOST_SOURCES = 100
 MOST_BYTES = 8 * 1024 * 1024
 LONGEST_NAME = 255  # bytes, folders and all
+JUDGED = "is judged: keep the one that counts"  # of a part that is there twice
 MAC_FOLDER = "__MACOSX"
 BUILT_OR_GIVEN = {"build", MAC_FOLDER, "CMakeFiles", "fixtures", "tests"}
 BESIDE_SRC = ("exact/", "methods/", "study/")  # in solution/, whose src/ is graded as a submission
@@ -151,7 +152,7 @@ def take(path: Path, entries: list[Entry]) -> Submission:
         filled = (n for n in others if part_file(PurePosixPath(n).name) == part.file)
         own = (n for n in filled if not is_stub(part, files[n]))
         judged = printable_name(chosen.get(part.number, ""))
-        why_not |= dict.fromkeys(own, f"{judged} is judged: keep the one that counts")
+        why_not |= dict.fromkeys(own, f"{judged} {JUDGED}")
     tests = {name for name in others if _is_test(name, files[name])}
     why_not |= dict.fromkeys(tests, "holds GoogleTest tests, which aren't run here")
     unused = tests | {name for name in others if part_file(PurePosixPath(name).name)}

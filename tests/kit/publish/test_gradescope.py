@@ -23,10 +23,10 @@ def test_the_autograder_holds_the_kit_and_its_secret(tmp_path: Path, monkeypatch
     assert all(modes[script] & 0o111 for script in ("setup.sh", "run_autograder", "kit"))
     assert modes["course-secret"] == stat.S_IFREG | 0o600
     assert not any(name.startswith(("build/", ".git/", "fixtures/hidden/")) for name in modes)
-    write(tmp_path / "x", {f"{name}/x": b"" for name in gradescope.PACKED})
-    write(tmp_path / "x", {"hw3/out/results/x.json": b"{}", "a.zip": b"", "student/build/x": b""})
-    monkeypatch.setattr(gradescope, "BUILT", tmp_path / "x/student/build")
-    packed = {file.relative_to(tmp_path / "x") for file in gradescope._packed(tmp_path / "x")}
+    kit = write(tmp_path / "hidden", {f"{name}/x": b"" for name in gradescope.PACKED})
+    write(kit, {"hw3/out/results/x.json": b"{}", "a.zip": b"", "student/build/x": b""})
+    monkeypatch.setattr(gradescope, "BUILT", kit / "student/build")
+    packed = {file.relative_to(kit) for file in gradescope._packed(kit)}
     assert {file.parts[0] for file in packed} == set(gradescope.PACKED)
     assert not any("build" in file.parts for file in packed)
 

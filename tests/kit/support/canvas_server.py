@@ -20,12 +20,19 @@ HTML = b"<!doctype html>"
 class State:
     submissions: dict[int, dict[str, Any]] = field(default_factory=dict)
     files: dict[int, bytes] = field(default_factory=dict)
-    comments: dict[int, list[bytes]] = field(default_factory=dict)
+    names: dict[int, str] = field(default_factory=dict)  # of uploaded files
+    comments: dict[int, list[int]] = field(default_factory=dict)  # a file in each
+    assignment: dict[str, Any] = field(default_factory=dict)  # its settings
+    late_policy: bool = False
+    rights: int = 200  # or the answer to somebody without rights
     limited: int = 0  # requests that are answered by a limit of the rate
     shown_times: int = -1  # until the list of submissions is gone
     broken_after: int = -1  # posts of points until the server fails for good
     refused: Sequence[int] = ()  # users
-    lost: Sequence[int] = ()  # users whose points are taken, without an answer that says so
+    lost: Sequence[
+        int
+    ] = ()  # users whose points and pages are taken, without an answer that says so
+    dead: bool = False  # after that
     gone: Sequence[int] = ()  # files
     elsewhere: dict[str, str] = field(default_factory=dict)  # where a file's address leads
     tokens_elsewhere: list[str] = field(default_factory=list)
@@ -51,17 +58,34 @@ class State:
         for one in changes.get("add", []):
             self.add(**one)
         for user, values in changes.get("set", {}).items():
+            self.submissions[int(user)].pop("entered_score", None)
             self.submissions[int(user)] |= {name: value or None for name, value in values.items()}
         for user, values in changes.get("attachment", {}).items():
             self.submissions[int(user)]["attachments"][0] |= values  # "" is none
         for name in vars(self).keys() & changes.keys():
             setattr(self, name, changes[name])
 
+    def listed(self, user: int) -> dict[str, Any]:
+        """A submission as the API tells of it."""
+        names = [self.names[id] for id in self.comments.get(user, [])]
+        comments = [{"attachments": [{"display_name": name}]} for name in names]
+        also = {"submission_comments": comments, "assignment": self.assignment}
+        return {"entered_score": self.submissions[user]["score"], **self.submissions[user], **also}
+
+    def enter(self, user: int, points: float) -> None:
+        """Enters points, for all of a group if they get one grade; less what lateness costs."""
+        one = self.submissions[user]
+        all_get = not self.assignment.get("grade_group_students_individually", True)
+        for other in self.submissions.values():
+            if other is one or all_get and other.get("group") == one.get("group"):
+                other["entered_score"] = points
+                other["score"] = points - other.get("points_deducted", 0)
+
     def shown(self) -> str:
         """The points and the number of pages that everybody has, and where the token went."""
         return "".join(
             f"{user} {one['user']['sortable_name']}: {one['score']} points, "
-            f"{sum(page.startswith(HTML) for page in self.comments.get(user, []))} pages\n"
+            f"{sum(self.files[id].startswith(HTML) for id in self.comments.get(user, []))} pages\n"
             for user, one in self.submissions.items()
         ) + "".join(f"elsewhere: {token}\n" for token in self.tokens_elsewhere)
 
@@ -95,7 +119,10 @@ class Handler(BaseHTTPRequestHandler):
             code = 403 if self.state.limited % 2 else 429
             self._answer(code, b"403 Forbidden (Rate Limit Exceeded)")
         elif token != f"Bearer {TOKEN}":
-            self._answer(401, {"errors": [{"message": "Invalid access token."}]})
+            bearer = {"WWW-Authenticate": 'Bearer realm="canvas-lms"'}
+            self._answer(401, {"errors": [{"message": "Invalid access token."}]}, **bearer)
+        elif self.state.rights != 200:
+            self._answer(self.state.rights, {"status": "unauthorized"})
         elif self.command == "GET":
             self._get()
         elif self.command == "POST":
@@ -115,7 +142,8 @@ class Handler(BaseHTTPRequestHandler):
             return
         assert b'name="key"' in data
         id = 900_000 + len(files)
-        body = data.partition(b'filename="feedback.html"')[2].partition(b"\r\n\r\n")[2]
+        head, _, body = data.partition(b'filename="')[2].partition(b"\r\n\r\n")
+        self.state.names[id] = head.partition(b'"')[0].decode().replace(".html", "-1.html")
         files[id] = body.rpartition(b"\r\n--")[0]
         self._answer(201, {"id": id})
 
@@ -128,11 +156,20 @@ class Handler(BaseHTTPRequestHandler):
         elif url.path == "/api/v1/courses/7/assignments/9/submissions" and state.shown_times:
             state.shown_times -= 1
             first = int(urllib.parse.parse_qs(url.query).get("page", ["0"])[0])
-            some = list(state.submissions.values())[first : first + PAGE]
-            text = json.dumps(some).replace("@/files", f"{self.here}/files").encode()
+            some = list(state.submissions)[first : first + PAGE]
+            text = (
+                json.dumps(list(map(state.listed, some)))
+                .replace("@/files", f"{self.here}/files")
+                .encode()
+            )
             more = first + PAGE < len(state.submissions)
             link = f'<{self.here}{url.path}?page={first + PAGE}>; rel="next"' if more else ""
             self._answer(200, text, Link=f'<{self.here}{url.path}>; rel="current",{link}')
+        elif url.path == "/api/v1/courses/7/late_policy" and state.late_policy:
+            self._answer(200, {"late_policy": {"late_submission_deduction_enabled": True}})
+        elif url.path.startswith("/api/v1/courses/7/assignments/9/submissions/"):
+            user = int(url.path.rpartition("/")[2])
+            self._answer(500 if state.dead and user in state.lost else 200, state.listed(user))
         else:
             self._answer(404, {"errors": [{"message": "not found"}]})
 
@@ -146,13 +183,10 @@ class Handler(BaseHTTPRequestHandler):
             return
         state.broken_after -= 1
         if "submission[posted_grade]" in fields:
-            state.submissions[user]["score"] = float(fields["submission[posted_grade]"][0])
-        if user in state.lost:
-            self._answer(500, b"broken")
-            return
+            state.enter(user, float(fields["submission[posted_grade]"][0]))
         for id in fields.get("comment[file_ids][]", []):
-            state.comments.setdefault(user, []).append(state.files[int(id)])
-        self._answer(200, {"id": user})
+            state.comments.setdefault(user, []).append(int(id))
+        self._answer(500 if user in state.lost else 200, {"id": user})
 
 
 @contextmanager

@@ -10,7 +10,7 @@ import json
 import os
 from collections.abc import Callable
 from datetime import datetime, timezone
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any, NamedTuple
 
 from bounce_grader import __version__
@@ -19,6 +19,7 @@ from bounce_grader.classroom.intake.student import Student
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import first_few, in_one_line, printable_name
 from bounce_grader.common.files import digest, write_whole
+from bounce_grader.common.manifest import parts
 from bounce_grader.common.paths import ROOT, SCENES, SENTENCES
 from bounce_grader.grading import fixtures
 from bounce_grader.grading.record import Record
@@ -141,18 +142,26 @@ def _result(task: Task, grade: Grade) -> Result:
     try:
         taken = uploads.read(task.student)
         _require_a_part(taken)
-        record, beside = grade(taken, task, within), list(map(printable_name, taken.helpers))
+        record, beside = grade(taken, task, within), _beside(taken)
         return result | {"state": "graded", "message": "", "record": record, "beside": beside}
     except UsageError as error:
         message = in_one_line(str(error).replace(str(task.student.path), "the submission"))
         return result | {"state": "unreadable", "message": message, "record": {}, "beside": []}
 
 
+def _beside(taken: Submission) -> list[str]:
+    """The sources that are no parts, and the headers that are named as a missing one."""
+    missing = tuple(part.stem for part in parts() if part.number not in taken.parts)
+    others = taken.files.keys() - {*taken.helpers, *taken.parts.values()}
+    headers = (name for name in others if PurePosixPath(name).name.lower().startswith(missing))
+    return list(map(printable_name, [*taken.helpers, *sorted(headers)]))
+
+
 def _require_a_part(taken: Submission) -> None:
     """Raises UsageError if no part is found, as with other names: a person looks, before a zero."""
     if not taken.parts and not taken.refused:
         left = [name for name in taken.ignored if not name.startswith("__MACOSX")]
-        names = list(map(printable_name, [*taken.helpers, *left]))
+        names = [*_beside(taken), *map(printable_name, left)]
         others = f", but {first_few(names)}" if names else ""
         raise UsageError(f"none of the parts is there under its name{others}")
 

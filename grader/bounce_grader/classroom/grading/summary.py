@@ -10,6 +10,7 @@ from bounce_grader.classroom.intake.student import Member, Student
 from bounce_grader.common.escaping import first_few, Value
 from bounce_grader.common.manifest import full_points, named_together, parts
 from bounce_grader.grading.report import NO_REPORT, Report
+from bounce_grader.submission.submission import JUDGED
 
 # Files that are handed in beside parts, and are none under another name.
 NO_PART = re.compile(r"(\S*/)?(readme|cmakelists|makefile|\.ds_store|\._|__macosx)", re.IGNORECASE)
@@ -51,7 +52,8 @@ class Summary:
             name = f"part {part['part']}"
             reasons += [f"{name}: {part['status'].replace('_', ' ')}"] * (part["status"] in ODD)
             reasons += [f"{name}: {remark}" for remark in part["remarks"]]
-        reasons += [*self._misnamed(), *self.notes]
+        twice = [name for name in self.unused if JUDGED in name]
+        reasons += [*(self._misnamed() or twice), *self.notes]
         if (box := self.record.get("box")) in ("none", "reduced"):
             reasons.append(f"graded with {'no' if box == 'none' else 'a reduced'} box")
         return "; ".join(dict.fromkeys(reasons))

@@ -8,15 +8,15 @@ import json
 import math
 import os
 import re
-from collections.abc import Iterator, Mapping
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
 import requests
-from requests.adapters import HTTPAdapter
 from urllib3.exceptions import HTTPError
-from urllib3.util import Retry
 from bounce_grader.classroom.intake.services import canvas_page, sanitized
 from bounce_grader.classroom.intake.student import Class, Student, Upload
 from bounce_grader.classroom.intake.uploads import may_count, MOST_UPLOADS, student_of
@@ -24,15 +24,18 @@ from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting, write_whole
 
-TRIES = 5  # after the first
-WAIT = 1.0  # s, about, before the second try; doubled each time
+TRIES = 6
+WAIT = 1.0  # s before the second try; doubled each time
 BUSY = (403, 429, 500, 502, 503, 504)  # where Canvas asks to wait, or has an error of its own
 SECONDS = 60.0  # of one request
 LARGEST = 64 << 20  # bytes of one answer, and of all files of a student
+ALSO = "&include[]=".join(("", "user", "group", "assignment", "submission_comments"))
 FILES = "canvas"  # the folder in OUT with what was downloaded
 TYPED = {"online_text_entry": "text was typed", "online_url": "an address was typed"}
 
-
+Fields = Mapping[str, str]
+IsDone = Callable[[], bool] | None
+Answer = tuple[bytes, str | None]
 Submission = dict[str, Any]  # one, and its person's name and files, as the API describes them
 
 
@@ -54,6 +57,15 @@ def _token() -> str:
     return token.strip()
 
 
+class NoAnswer(KitError):
+    """Canvas, or the server that keeps its files, can't be reached, or is too busy."""
+
+    def __init__(self, url: str) -> None:
+        parsed = urlsplit(url)
+        self.server = f"{parsed.scheme}://{parsed.netloc.rpartition('@')[2]}"
+        super().__init__(f"no answer from {self.server}: give the same command again later")
+
+
 class Canvas:
     """One assignment of a course on Canvas, by its API."""
 
@@ -69,16 +81,13 @@ class Canvas:
             raise UsageError("--canvas needs CANVAS_URL, as https://canvas.example.edu")
         self.assignment = assignment
         self._origin = f"{parsed.scheme}://{parsed.netloc.lower()}"  # as the library has it
-        self.path = f"/api/v1/courses/{match[1]}/assignments/{match[2]}"
-        again = Retry(TRIES, backoff_factor=WAIT, status_forcelist=BUSY, allowed_methods=None)
-        again.raise_on_status = False
+        self.course = f"/api/v1/courses/{match[1]}"
+        self.path = f"{self.course}/assignments/{match[2]}"
         self._session = requests.Session()
-        for scheme in ("https://", "http://"):
-            self._session.mount(scheme, HTTPAdapter(max_retries=again))
 
     def submissions(self) -> Iterator[Submission]:
         """Those of all students, page by page. Raises UsageError where Canvas doesn't show them."""
-        url: str | None = f"{self._origin}{self.path}/submissions?include[]=user&per_page=100"
+        url: str | None = f"{self._origin}{self.path}/submissions?per_page=100{ALSO}"
         while url:
             try:
                 body, url = self.request("GET", url)
@@ -87,13 +96,26 @@ class Canvas:
                 raise UsageError(what) from None
             yield from _json(body)
 
-    def call(self, method: str, path: str, fields: Mapping[str, str] = {}) -> Any:
-        return _json(self.request(method, self._origin + path, data=fields)[0])
+    def call(self, method: str, path: str, fields: Fields = {}, is_done: IsDone = None) -> Any:
+        """What the API answers. Before a request is repeated, `is_done` looks whether it was taken
+        and only its answer was lost."""
+        return _json(self.request(method, self._origin + path, is_done, data=fields)[0])
 
-    def request(self, method: str, url: str, **content: Any) -> tuple[bytes, str | None]:
+    def request(self, method: str, url: str, is_done: IsDone = None, **content: Any) -> Answer:
         """The body of an answer, and the address of the list's next page. Raises UsageError if the
-        token isn't accepted, Refused if this request isn't, KitError if Canvas can't be reached."""
-        unreachable = KitError(f"no answer from {self._origin}: give the same command again later")
+        token isn't accepted, Refused if this request isn't, NoAnswer if there is none."""
+        for attempt in range(TRIES - 1):
+            try:
+                return self._request(method, url, content)
+            except NoAnswer as error:
+                words = f"kit: {error.server} is busy or down; trying again for half a minute\n"
+                sys.stderr.write(words * (not attempt))
+                time.sleep(WAIT * 2**attempt)
+            if is_done and is_done():
+                return b"null", None
+        return self._request(method, url, content)
+
+    def _request(self, method: str, url: str, content: dict[str, Any]) -> Answer:
         wanted: dict[str, Any] = {"stream": True, "timeout": SECONDS, "auth": self._sign, **content}
         try:
             with self._session.request(method, url, **wanted) as answer:
@@ -102,14 +124,16 @@ class Canvas:
             raise Refused("it is redirected again and again") from None
         except ValueError:  # a kind of address that isn't the web's
             raise Refused("it leads to no address of the web") from None
-        except (requests.RequestException, HTTPError):
-            raise unreachable from None
-        if answer.status_code == 401:
+        except (requests.RequestException, HTTPError) as error:
+            asked = getattr(error, "request", None)  # the last, after redirections
+            raise NoAnswer(getattr(asked, "url", url)) from None
+        if answer.status_code == 401 and "WWW-Authenticate" in answer.headers:
             raise UsageError("Canvas doesn't accept CANVAS_TOKEN: make a new one there")
         if answer.status_code in BUSY and (answer.status_code != 403 or b"Rate Limit" in body):
-            raise unreachable
+            raise NoAnswer(answer.url)
         if not answer.ok:
-            raise Refused(f"{answer.status_code} {printable_name(answer.reason or '')}")
+            lacks = ": CANVAS_TOKEN's owner lacks the right" * (answer.status_code in (401, 403))
+            raise Refused(f"{answer.status_code} {printable_name(answer.reason or '')}{lacks}")
         return body, answer.links.get("next", {}).get("url")
 
     def _sign(self, request: Any) -> Any:

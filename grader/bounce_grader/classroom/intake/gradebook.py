@@ -1,9 +1,10 @@
-"""The gradebook: a file that Canvas (its export), Moodle (its offline grading worksheet) or
-Blackboard wrote, or what Canvas's API tells. Each has ids, names and points.
+"""The gradebook: a file that Canvas (its export), Moodle (its offline grading worksheet), Blackboard
+or Brightspace wrote, or what Canvas's API tells. Each has ids, names and points.
 
 Moodle's importer (mod/assign/feedback/offline) finds its columns by their titles, in the site's
-language, and a student by the number at the end of the first cell. Its worksheet says how late a
-submission is, in a cell that is made of pieces (`assign_grading_table::col_status`):
+language, and a student by the number at the end of the first cell. Their order is always the same:
+the name is the second, and after the grade come the most points and whether it can be changed. The
+worksheet says how late a submission is, in a cell of pieces (`assign_grading_table::col_status`):
 
     Submitted for grading - 2 days 3 hours late - Graded - Extension granted until: 20 November 2026
 
@@ -20,7 +21,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from bounce_grader.classroom.intake.table import Row, Table
+from bounce_grader.classroom.intake.table import number_in, Row, Table
 from bounce_grader.common.errors import UsageError
 
 CANVAS_IDS = ("ID", "SIS User ID", "SIS Login ID", "Integration ID")
@@ -28,6 +29,7 @@ ASSIGNMENT = re.compile(r"\s\(\d+\)$")  # how the title of an assignment ends in
 POSTING = re.compile(r"(Muted|Manual Posting.*)?", re.IGNORECASE)
 PARTICIPANT = re.compile(r"[^\W\d].*?\s?\d+", re.DOTALL)  # Moodle's first cell: Participant 12345
 TOTAL = re.compile(r"\s*\[Total Pts: ([\d.,]+)[^\]]*\]\s*\|\s*\d+\s*$")  # and in Blackboard's file
+MOST = re.compile(r"\s+Points Grade(?:\s+<\w+ MaxPoints:([\d.,]+)[^>]*>)?$")  # and in Brightspace's
 NAMES = ("Student", "Full name", "LastName", "FirstName", "Last Name", "First Name")
 # In Moodle's languages: titles of the column, and what words begin with, by the days in a unit.
 WORDS = json.loads(Path(__file__).with_name("moodle_words.json").read_text("utf-8"))
@@ -78,16 +80,20 @@ def read(path: Path, title: str) -> Gradebook:
     header, firsts = table.header, (row.text(0) for row in table.rows[1:])
     if "Username" in header and any(map(TOTAL.search, header)):
         service, column = "blackboard", _only_column(table, title, TOTAL)
+    elif header[0] in ("OrgDefinedId", "Username") and any(map(MOST.search, header)):
+        service, column = "brightspace", _only_column(table, title, MOST)
     elif re.fullmatch(r"\W*(Student|LastName)", header[0]) and "ID" in header[1:4]:
         service, column = "canvas", _only_column(table, title, ASSIGNMENT)
     elif any(map(PARTICIPANT.fullmatch, firsts)):
-        service, column = "moodle", _only_column(table, title or "Grade", re.compile(""))
+        service, column = "moodle", _column_of_grades(table, title)
     else:
-        services = "Canvas (Grades, Export), Moodle (its worksheet) or Blackboard"
+        services = "Canvas (Grades, Export), Moodle (its worksheet), Blackboard or Brightspace"
         raise UsageError(f"{table.name} holds no grades from {services}: export them again")
     book = Gradebook(service, table.name, header[column], table=table, column=column)
+    named = service == "moodle" and header[1] not in WORDS["status"]
+    titles = [header[0], "Full name", *header[2:]] if named else header
     for number, row in enumerate(table.rows[1:], 1):
-        cells = {title: row.text(i) for i, title in enumerate(header)}
+        cells = {title: row.text(i) for i, title in enumerate(titles)}
         _add(book, number, defaultdict(str, cells), row)
     table.require_all_cells((table.rows[line.number] for line in book.lines), "download it again")
     return book
@@ -106,16 +112,35 @@ def _add(book: Gradebook, number: int, cells: Mapping[str, str], row: Row) -> No
         stays = f"stays {there}" if there.upper() in ("EX", "N/A") else ""
     elif book.service == "moodle":
         ids, there = ["".join(re.findall(r"\d+$", first))], "" if there == "-" else there
-        if cells["Grade can be changed"].lower() == "no":
+        if {row.text(book.column + n).lower() for n in (2, 3)} & set(WORDS["no"]):
             stays = "has a grade that Moodle lets nobody change here"
-        book.possible.append(cells["Maximum Grade"])
+        book.possible.append(row.text(book.column + 1))
         for title in filter(cells.__contains__, WORDS["status"]):
             book.late[ids[0]] = days_late(cells[title])
+    elif book.service == "brightspace":
+        ids = [cells[t].removeprefix("#") for t in ("OrgDefinedId", "Username") if t in cells]
+        book.possible += MOST.findall(book.title)
     else:
         ids, there = [cells["Username"]], re.sub(r"(?s)Needs Grading.*", "", there)
         book.possible += TOTAL.findall(book.title)
     name = ", ".join(filter(None, (cells[title] for title in NAMES)))
     book.lines.append(Line(number, ids, name or ids[0], there, stays))
+
+
+def _column_of_grades(table: Table, title: str) -> int:
+    """Moodle's, by its title; or as the column of numbers before the same number in all rows, the
+    most points, which has words behind it."""
+    columns = list(zip(*(row.texts() for row in table.rows[1:] if any(row.texts()))))
+    numbers = [[number_in(cell) for cell in column] for column in columns]
+    for i in range(1, len(columns) - 2):
+        points = (n is not None or cell in ("", "-") for n, cell in zip(numbers[i], columns[i]))
+        most, words = set(numbers[i + 1]), set(numbers[i + 2])
+        if not title and all(points) and len(most - {None}) == len(most) == 1 and words == {None}:
+            return i
+    if not title and "Grade" not in table.header:
+        why = "has no column of points, as of an assignment that is graded by a scale"
+        raise UsageError(f"{table.name} {why}: name one by --column")
+    return _only_column(table, title or "Grade", re.compile(""))
 
 
 def _only_column(table: Table, title: str, ending: re.Pattern[str]) -> int:

@@ -1,5 +1,5 @@
-"""How Canvas, Moodle and Blackboard name the entries of a download of all submissions, packed or
-unpacked, and the feedback pages that they take back.
+"""How Canvas, Moodle, Blackboard and Brightspace name the entries of a download of all submissions,
+packed or unpacked, and the feedback pages that they take back.
 
 Canvas, in lib/content_zipper.rb:
 
@@ -28,6 +28,13 @@ Blackboard:
 
 Both the assignment's title and a user's name may hold "_". The text begins with a line that
 Blackboard writes, "Name: Jane Doe (jdoe)".
+
+Brightspace:
+
+    {two numbers} - {full name} - {Sep 24, 2026 926 PM}/{file}      a folder for each attempt
+    index.html                                                      who submitted what, and when
+
+The numbers, such as 152711-351765, are in no grade book.
 """
 
 import re
@@ -50,6 +57,7 @@ WHO = (  # in Canvas's names
     r"(?:(?!LATE_|anon_)(?P<name>[^/]+?)_)?(?:(?P<late>LATE)_)?"
     rf"(?P<user>anon_[A-Za-z0-9]{{1,20}}|{ID})"
 )
+MONTHS = "Jan|Feb|Mar|Apr|May|Jun|Jul|Aug|Sep|Oct|Nov|Dec"
 ALONE = "look in Canvas who handed it in, and grade it by itself with ./kit grade"
 EITHER = f"has a name that doesn't say for certain whose it is: {ALONE}"
 WHOSE = re.compile(r"\ufeff?Name:\s*(?P<name>.*)\((?P<user>[^()\s]+)\)\s*$")  # in Blackboard's text
@@ -73,6 +81,7 @@ class Service(NamedTuple):
             return None
         of: Mapping[str, str] = defaultdict(str, match.groupdict(""))
         number, instead = int(of["number"].replace("-", "") or 0), TYPED.get(of["kind"], "")
+        number = number or _when(of["date"])
         who = (entry, of["name"], of["user"], of["file"], bool(of["late"]))
         return Upload(*who, number, self.as_named, instead)
 
@@ -164,10 +173,17 @@ def _read_blackboard(archive: Archive, _people: Names) -> Read:
         elif times[user] > 1:
             read[head] = f"isn't the only one that could be {user}'s: keep one of them"
         else:
-            for upload in files:
-                old = f"{printable_name(upload.file)} is of an older attempt"
-                why = upload.instead or old * (upload.number < last)
-                read[upload.entry] = upload._replace(name=name, user=user, instead=why)
+            read |= _newest(files, last, user, name)
+    return read
+
+
+def _newest(uploads: Sequence[Upload], last: int, user: str, name: str) -> Read:
+    """What somebody has uploaded, of which the last attempt counts."""
+    read: Read = {}
+    for upload in uploads:
+        old = f"{printable_name(upload.file)} is of an older attempt"
+        why = upload.instead or old * (upload.number < last)
+        read[upload.entry] = upload._replace(name=name, user=user, instead=why)
     return read
 
 
@@ -180,6 +196,47 @@ def _person(archive: Archive, head: str, uploads: Sequence[Upload]) -> tuple[str
         if match and head.endswith(f"_{match['user']}"):
             user, name = match["user"], match["name"].strip() or match["user"]
     return user, name
+
+
+def _read_brightspace(archive: Archive, people: Names) -> Read:
+    """The files of each student. Who has the same name as exactly one of these `people`, and as nobody
+    else here, is that person; anybody else has the numbers as an id."""
+    read: Read = {}
+    attempts: dict[str, list[Upload]] = defaultdict(list)
+    for entry in archive.names:
+        if upload := BRIGHTSPACE.parse(entry):
+            attempts[upload.user].append(upload)
+        elif entry != "index.html":
+            read[entry] = UNKNOWN.format("Brightspace")
+    named, whose = Counter(of[0].name.casefold() for of in attempts.values()), defaultdict(list)
+    for id, names in people.items():
+        family, _, given = names[0].partition(", ")
+        whose[f"{given} {family}".strip().casefold()].append(id)
+    for numbers, uploads in attempts.items():
+        name, last = uploads[0].name, max(upload.number for upload in uploads)
+        if not last and any(_folder([upload]) != _folder(uploads) for upload in uploads):
+            why = "has several attempts, and their dates can't be read: keep the last one"
+            read[f"{numbers} - {name}"] = why
+        else:
+            own = whose[name.casefold()]
+            (user,) = own if len(own) == named[name.casefold()] == 1 else [numbers]
+            read |= _newest(uploads, last, user, name)
+    return read
+
+
+def _folder(uploads: Sequence[Upload]) -> str:
+    """Of the newest attempt, in Brightspace's download."""
+    return max(uploads, key=lambda upload: upload.number).entry.partition("/")[0]
+
+
+def _when(date: str) -> int:
+    """Brightspace's date, such as Sep 24, 2026 926 PM, as a number that grows; 0 for any other."""
+    match = re.fullmatch(rf"({MONTHS})[a-z]* (\d+), (\d{{4}}) (\d+) ([AP])M", date)
+    if not match:
+        return 0
+    month, day, year, time, half = match.groups()
+    minutes = int(time) % 1200 + 1200 * (half == "P")
+    return int(f"{year}{MONTHS.find(month):02}{int(day):02}{minutes:04}")
 
 
 CANVAS = Service(
@@ -208,5 +265,11 @@ BLACKBOARD = Service(
     # Not by the student's name, which may hold a "/".
     lambda uploads: f"{fitting(printable_name(uploads[0].user))}.html",
 )
-# Moodle and Canvas come first, because they write the beginning of each name themselves.
-SERVICES = (MOODLE, CANVAS, BLACKBOARD)
+BRIGHTSPACE = Service(
+    "Brightspace",
+    [r"(?P<user>\d+-\d+) - (?P<name>[^/]+) - (?P<date>[^/]*\d{4}[^/]*)/(?P<file>.+)"],
+    _read_brightspace,
+    lambda uploads: f"{fitting(printable_name(_folder(uploads)))}.html",
+)
+# Blackboard comes last: the others write the beginning of each name themselves.
+SERVICES = (MOODLE, CANVAS, BRIGHTSPACE, BLACKBOARD)

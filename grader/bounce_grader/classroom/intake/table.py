@@ -51,7 +51,9 @@ class Table:
         try:
             text = data.decode(self._encoding)
         except UnicodeError:
-            self._encoding = "latin-1"  # which every byte fits
+            # Windows-1252, as long as it knows every byte, as Latin-1 does.
+            undefined = set(data) & set(b"\x81\x8d\x8f\x90\x9d")
+            self._encoding = "latin-1" if undefined else "cp1252"
             text = data.decode(self._encoding)
         self._start, body = BOM * text.startswith(BOM), text.removeprefix(BOM)
         self._style: dict[str, Any] = {

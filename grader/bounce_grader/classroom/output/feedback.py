@@ -1,4 +1,4 @@
-"""Writes the feedback pages; and for Canvas and Moodle, zips of the pages that they can import."""
+"""Writes the feedback pages; and for Canvas, Moodle and Brightspace, zips of those that they import."""
 
 import zipfile
 from collections.abc import Mapping, Sequence
@@ -40,17 +40,21 @@ def _page(summary: Summary) -> str:
 def zip_new(out: Path, service: str, pages: Mapping[str, str]) -> str:
     """Zips the pages that no earlier zip has as they are now: Canvas adds a comment for each page
     that it is given. Returns what to upload; "" if the service takes no zip."""
-    taken = [p for p in pages if service == "moodle" or service == "canvas" and CANVAS.parse(p)]
+    if service == "brightspace":  # into the folders of its download
+        pages = {f"{name.removesuffix('.html')}/feedback.html": pages[name] for name in pages}
+    elif service != "moodle":
+        pages = {name: pages[name] for name in pages if service == "canvas" and CANVAS.parse(name)}
     earlier = sorted(out.glob("feedback-[0-9][0-9][0-9].zip"))
     before: dict[str, bytes] = {}
     for path in earlier:
         with suppress(zipfile.BadZipFile), zipfile.ZipFile(path) as archive:
             before |= {name: archive.read(name) for name in archive.namelist()}
-    now = {name: (pages[name].encode(), 0o644) for name in taken}
+    now = {name: (page.encode(), 0o644) for name, page in pages.items()}
     changed = {name: page for name, page in now.items() if before.get(name) != page[0]}
     if changed:
-        path = out / f"feedback-{len(earlier) + 1:03}.zip"
+        last = earlier[-1].stem[-3:] if earlier else "0"
+        path = out / f"feedback-{int(last) + 1:03}.zip"
         write_whole(path, zipped(changed, True))
         number = f"{len(changed)} page{'s' * (len(changed) > 1)}"
         return f"Upload {path.name}, with {number} that no earlier zip has."
-    return "No page has changed since the last zip." if taken else ""
+    return "No page has changed since the last zip." if pages else ""

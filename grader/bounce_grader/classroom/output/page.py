@@ -107,7 +107,8 @@ def _histogram(graded: Sequence[Summary]) -> Iterator[Bar]:
     tenths = [10 if s.has_all_points else min(9, int(10 * (s.score or 0) / full)) for s in graded]
     highest = max(Counter(tenths).values(), default=1)
     for i in range(11):
-        label = f"{short(full * i / 10)}{f'–{short(full * (i + 1) / 10)}' * (i < 10)} points"
+        below = f" to under {short(full * (i + 1) / 10)}" * (i < 10)
+        label = f"{short(full * i / 10)}{below} points"
         yield label, tenths.count(i) / highest, str(tenths.count(i)), False
 
 

@@ -11,7 +11,7 @@ from bounce_grader.classroom.intake import instructor_files as files
 from bounce_grader.classroom.intake.gradebook import Gradebook
 from bounce_grader.classroom.intake.services import is_name_of
 from bounce_grader.classroom.intake.student import Adjustment, Class, Member, Names, Student
-from bounce_grader.common.escaping import first_few
+from bounce_grader.common.escaping import alphabetical, first_few
 from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
 
@@ -57,7 +57,7 @@ class People:
             student = student._replace(person=self._name(student, own), late_days=late)
             members = tuple(own or [Member(student.id, student.shown)])
             assigned.append(student._replace(members=members))
-        intake.students = sorted(assigned, key=lambda s: (s.shown.casefold(), s.id))
+        intake.students = sorted(assigned, key=lambda s: (alphabetical(s.shown), s.id))
         people = [(member, student) for student in intake.students for member in student.members]
         listed = {member.id for member, _ in people if member.listed}
         return [*self._no_lateness(intake), *self._adjust(people), *self._idle(listed)]

@@ -2,6 +2,7 @@
 each cell that isn't filled in."""
 
 import json
+import re
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,6 +15,7 @@ from bounce_grader.classroom.intake.student import Class, Member
 from bounce_grader.classroom.intake.table import number_in
 from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import first_few
 from bounce_grader.common.files import read_object, write_whole
 from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
@@ -55,10 +57,13 @@ def fill(
     whose = _whose(book, finals, from_canvas)
     times = Counter(final.id for finals in whose.values() for final in finals)
     ours = written.setdefault(book.title, {})
-    filled, sentences = [], _other_points_possible(book)
+    filled, sentences, without = [], _other_points_possible(book), []
     for line in filter(lambda line: any(line.ids), book.lines):
         meant, before = whose.get(line.number, []), ours.get(line.ids[0], [])
         who = f"{line.person} ({next(filter(None, line.ids))})"
+        if not meant:
+            without.append(who)
+            continue
         if len(meant) == 1 and (count := times[meant[0].id]) > 1:
             why = f"has {count} rows in {book.name}: none is filled"
         else:
@@ -77,13 +82,13 @@ def fill(
         for final in sorted(finals, key=lambda final: final.id)
         if final.id not in times
     ]
+    if without:
+        sentences.append(f"{first_few(without, 20, '; ')}: no score, so nothing is filled in")
     return filled, list(dict.fromkeys(sentences))
 
 
 def _unfilled(line: Line, meant: Sequence[Member], before: Sequence[str], overwrite: bool) -> str:
-    """Why a line takes no points; "" if it does."""
-    if not meant:
-        return "has no score: nothing is filled in"
+    """Why a line takes no points of those that are meant; "" if it does."""
     if len(meant) > 1:
         several = " and ".join(f"{final.name} ({final.id})" for final in meant)
         return f"is meant by {several}: none is filled in"
@@ -120,7 +125,9 @@ def write(path: Path, people: People, summaries: Sequence[Summary], overwrite: b
     emptied = sum(line.ids[0] in before and not line.there for line in book.lines)
     from_canvas = submitted.service == "canvas"
     filled, sentences = fill(book, given, from_canvas, written, overwrite)
-    has_comma = any("," in points for points in book.possible)
+    is_decimal = re.compile(r"\d+[.,](\d\d?|\d{4,})").fullmatch  # "1,000" may be a thousand
+    decimals = list(filter(is_decimal, (line.there for line in book.lines)))
+    has_comma = any("," in points for points in decimals or list(filter(is_decimal, book.possible)))
     for line, points in filled:
         text = f"{points:.2f}".replace(".", "," if has_comma else ".")
         book.table.rows[line.number].cells[book.column] = text
@@ -130,5 +137,7 @@ def write(path: Path, people: People, summaries: Sequence[Summary], overwrite: b
         cells = f"what an earlier run has filled into {emptied} cell{'s' * (emptied > 1)}"
         again = "export the grades again, or corrections made there since then are lost"
         sentences = [f"{book.name} lacks {cells}: if that is imported, {again}", *sentences]
-    where = f"isn't in {ROSTER}: the points are in grades.csv"
-    return [*sentences, *(f"{one.id} {where}" for one in finals if one not in given)]
+    if unknown := [one.id for one in finals if one not in given]:
+        where = f"not in {ROSTER}, so their points are in grades.csv alone"
+        sentences = [f"{first_few(unknown, 20, '; ')}: {where}", *sentences]
+    return sentences
