@@ -76,9 +76,9 @@ class Canvas:
         for scheme in ("https://", "http://"):
             self._session.mount(scheme, HTTPAdapter(max_retries=again))
 
-    def submissions(self) -> Iterator[Submission]:
-        """Those of all students, page by page. Raises UsageError where Canvas doesn't show them."""
-        url: str | None = f"{self._origin}{self.path}/submissions?include[]=user&per_page=100"
+    def submissions(self, more: str = "") -> Iterator[Submission]:
+        """Those of all students, page by page, with `more` of each. Raises UsageError where Canvas doesn't show them."""
+        url: str | None = f"{self._origin}{self.path}/submissions?include[]=user{more}&per_page=100"
         while url:
             try:
                 body, url = self.request("GET", url)
@@ -127,11 +127,14 @@ def _json(body: bytes) -> Any:
         raise KitError("Canvas's answer is no JSON: is CANVAS_URL right?") from error
 
 
-def download(canvas: Canvas, out: Path) -> Class:
-    """The class, with its files in OUT/canvas. A file that is there isn't downloaded again."""
+def download(canvas: Canvas, out: Path, best: bool) -> Class:
+    """The class, with its files in OUT/canvas; if the `best` attempt counts, all attempts. A file that is there isn't downloaded again."""
     folder = out / FILES
     out.mkdir(mode=0o700, parents=True, exist_ok=True)
-    listed = list(canvas.submissions())
+    history = "submission_history"
+    listed = list(canvas.submissions(f"&include[]={history}" * best))
+    if best:
+        listed = [last | one for last in listed for one in last.get(history) or [last]]
     students = [_student(canvas, folder, submission) for submission in listed]
     intake = Class("Canvas's API", list(filter(None, students)), service="canvas")
     if not intake.students:
@@ -154,8 +157,8 @@ def _student(canvas: Canvas, folder: Path, submission: Submission) -> Student | 
     if not uploads:
         return None
     student = student_of(folder, uploads, canvas_page(uploads))
-    days = math.ceil(float(submission.get("seconds_late") or 0) / 86400)
-    return student._replace(person=name, late_days=max(1, days) * bool(submission.get("late")))
+    late = math.ceil(float(submission.get("seconds_late") or 0)) or None
+    return student._replace(person=name, seconds_late=late if submission.get("late") else 0)
 
 
 def name_of(submission: Submission) -> str:

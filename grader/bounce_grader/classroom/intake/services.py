@@ -143,7 +143,7 @@ def _moodle_page(uploads: Sequence[Upload]) -> str:
 
 
 def _read_blackboard(archive: Archive, _people: Names) -> Read:
-    """The files of each user, and the text of the newest attempt if that has none."""
+    """The files of each user's attempts, and the text of the newest if that has none."""
     read: Read = {}
     heads: dict[str, list[Upload]] = defaultdict(list)
     for entry in archive.names:
@@ -165,9 +165,8 @@ def _read_blackboard(archive: Archive, _people: Names) -> Read:
             read[head] = f"isn't the only one that could be {user}'s: keep one of them"
         else:
             for upload in files:
-                old = f"{printable_name(upload.file)} is of an older attempt"
-                why = upload.instead or old * (upload.number < last)
-                read[upload.entry] = upload._replace(name=name, user=user, instead=why)
+                own = upload._replace(name=name, user=user, attempt=upload.number)
+                read[upload.entry] = own
     return read
 
 
