@@ -45,7 +45,9 @@ def _adjustment(path: Path, line: int, row: dict[str, str]) -> Adjustment:
     if not (row["student"] and row["reason"] and any(row[column] for column in CHANGES)):
         raise UsageError(f"{where} fill in student, reason and one of {', '.join(CHANGES)}")
     word, number = POINTS.findall(row["points"])[0]
-    points, sets = number_in(number.replace("\N{MINUS SIGN}", "-")), word.lower()
+    points, sets = number_in(number.replace("\N{MINUS SIGN}", "-")), word.lower().replace(
+        "exactly", "="
+    )
     if row["points"] and not (
         points is not None and abs(points) < 1e6 and (points >= 0 or not sets)
     ):

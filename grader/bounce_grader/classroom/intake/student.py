@@ -31,7 +31,7 @@ class Adjustment(NamedTuple):
     where: str  # the file and the line
     student: str  # an id, or "*" for everybody
     points: float = 0.0  # added; or what the points become, or are at least or at most
-    sets: str = ""  # "=", "exactly", "at least" or "at most"; "" if points are added
+    sets: str = ""  # "=", "at least" or "at most"; "" if points are added
     late_days: int | None = None  # in place of the service's; 0 for an extension
     drop: tuple[str, ...] = ()  # checks whose points are given
     reason: str = ""

@@ -11,6 +11,7 @@ from bounce_grader.classroom.intake.instructor_files import COMMENTS
 from bounce_grader.classroom.intake.student import Comment
 from bounce_grader.classroom.intake.table import in_csv, Table
 from bounce_grader.classroom.output.people import People
+from bounce_grader.common.errors import UsageError
 from bounce_grader.common.files import write_whole
 from bounce_grader.common.manifest import parts
 
@@ -38,13 +39,17 @@ def place(out: Path, people: People, summaries: Sequence[Summary]) -> list[str]:
 
 def _found(row: Comment, summary: Summary) -> Comment | str:
     """The comment with its line and the code around it, as they are now; or why there is none."""
-    taken, who = uploads.read(summary.student), summary.student.who
+    who = summary.student.who
+    try:
+        taken = uploads.read(summary.student)
+    except UsageError as error:
+        return f"{who} can't be read now ({error})"
     named = {part.file: taken.parts.get(part.number, "") for part in parts()}
     file = named.get(row.file) or row.file
     every = [name for name in taken.files if name == file or name.endswith(f"/{file}")]
     if len(every) != 1:
         return f"{who} has {f'{len(every)} files' if every else 'no file'} {row.file}"
-    lines = taken.files[every[0]].decode(errors="replace").split("\n")
+    lines = taken.files[every[0]].decode(errors="replace").rstrip().split("\n")
     texts = [in_csv(line.strip()[:LONGEST].strip()) for line in lines]
     if not row.code and not "".join(texts[row.line - 1 : row.line]):
         what = "is empty" if row.line <= len(lines) else "is beyond its end"

@@ -13,12 +13,8 @@ from bounce_grader.common.numbers import short
 
 DAY = 86400  # s
 # What the points become, by the points so far and those of a row.
-SETS: dict[str, Callable[[float, float], float]] = {
-    "=": lambda _, to: to,
-    "exactly": lambda _, to: to,
-    "at least": max,
-    "at most": min,
-}
+Set = Callable[[float, float], float]
+SETS: dict[str, Set] = {"=": lambda _, to: to, "at least": max, "at most": min}
 
 
 def final(

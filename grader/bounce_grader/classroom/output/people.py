@@ -100,7 +100,7 @@ class People:
             costs = f"lateness costs points by {course.COURSE}"
             yield f"{costs}, but {intake.source} doesn't say who was late: {can}"
         if policy.earlier and not self._used.keys() & {in_csv(m.id) for m, _ in self._people()}:
-            none = "has none of these students' ids, so none of their free days is used"
+            none = "has none of these students' ids, so all of their free days are left"
             yield f"{course.SLIP_DAYS} of earlier assignments {none}"
         if policy.attempt == "best" and len({*ids}) == len(ids):
             yield f"the best attempt counts, but {intake.source} has one of each student"
