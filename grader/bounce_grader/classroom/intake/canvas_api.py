@@ -77,7 +77,8 @@ class Canvas:
             self._session.mount(scheme, HTTPAdapter(max_retries=again))
 
     def submissions(self, more: str = "") -> Iterator[Submission]:
-        """Those of all students, page by page, with `more` of each. Raises UsageError where Canvas doesn't show them."""
+        """Those of all students, page by page, with `more` of each. Raises UsageError where Canvas
+        doesn't show them."""
         url: str | None = f"{self._origin}{self.path}/submissions?include[]=user{more}&per_page=100"
         while url:
             try:
@@ -128,18 +129,24 @@ def _json(body: bytes) -> Any:
 
 
 def download(canvas: Canvas, out: Path, best: bool) -> Class:
-    """The class, with its files in OUT/canvas; if the `best` attempt counts, all attempts. A file that is there isn't downloaded again."""
+    """The class, with its files in OUT/canvas; if the `best` attempt counts, with all attempts. A file
+    that is there isn't downloaded again."""
     folder = out / FILES
     out.mkdir(mode=0o700, parents=True, exist_ok=True)
-    history = "submission_history"
-    listed = list(canvas.submissions(f"&include[]={history}" * best))
+    listed = list(canvas.submissions("&include[]=submission_history" * best))
     if best:
-        listed = [last | one for last in listed for one in last.get(history) or [last]]
+        listed = [last | one for last in listed for one in _attempts(last)]
     students = [_student(canvas, folder, submission) for submission in listed]
     intake = Class("Canvas's API", list(filter(None, students)), service="canvas")
     if not intake.students:
         raise UsageError(f"nobody has submitted a file to the assignment {canvas.assignment} yet")
     return intake
+
+
+def _attempts(submission: Submission) -> list[Submission]:
+    """The oldest first."""
+    every = submission.get("submission_history") or [submission]
+    return sorted(every, key=lambda one: int(one.get("attempt") or 0))
 
 
 def _student(canvas: Canvas, folder: Path, submission: Submission) -> Student | None:

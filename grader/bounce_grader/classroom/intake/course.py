@@ -11,7 +11,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from bounce_grader.classroom.intake.table import number_in, rows_of
+from bounce_grader.classroom.intake.table import rows_of
 from bounce_grader.common.errors import KitError, UsageError
 
 COURSE = "course.toml"
@@ -24,7 +24,7 @@ class Course(NamedTuple):
     title: str = ""
     percent_per_day: float = 0.0  # of the assignment's points, for each day begun
     at_most_percent: float = 100.0
-    grace_minutes: float = 0.0  # by which the deadline is later than the service says
+    grace_minutes: int = 0  # by which the deadline is later than the service says
     slip_days: int = 0  # days late in the term that cost a student nothing
     earlier: tuple[str, ...] = ()  # the output folders of earlier assignments
     attempt: str = "last"  # or "best"
@@ -57,10 +57,8 @@ def course(out: Path) -> Course:
     except ModuleNotFoundError as error:
         raise KitError(f"{COURSE} can't be read here: apt-get install python3-tomli") from error
     except UnicodeDecodeError as error:
-        line = 1 + error.object.count(b"\n", 0, error.start)
-        raise UsageError(
-            f"{path}, line {line}: this is no UTF-8: save the file as UTF-8"
-        ) from error
+        where = f"{path}, line {1 + error.object.count(10, 0, error.start)}"
+        raise UsageError(f"{where}: this is no UTF-8: save the file as UTF-8") from error
     except (OSError, ValueError) as error:
         raise UsageError(f"{path} can't be read as TOML: {error}") from error
     keys: Keys = {(key,): value for key, value in data.items()}
@@ -80,8 +78,9 @@ def _mistakes(out: Path, key: tuple[str, ...], keys: Keys) -> Iterator[str]:
         yield f"late is a table, and no {there}: write [late], and below it percent_per_day"
     elif not takes or (name == "title") != (len(key) == 1):
         near = difflib.get_close_matches(name, TAKES, 1, 0.0)[0]
-        where = f"belongs {'above' if near == 'title' else 'below'} [late]"
-        yield f"{name} {where}" if near == name else f"there is no key {name}; the nearest is {near}, which {where}"
+        unknown = "" if near == name else f"there is no key {name}; the nearest is "
+        where = f"{near}{', which' * bool(unknown)} belongs"
+        yield f"{unknown}{where} {'above' if near == 'title' else 'below'} [late]"
     elif not re.fullmatch(pattern, there):
         fraction = takes == PERCENT[1] and re.match(r"0\.\d+$", there)
         meant = f": for {100 * keys[key]:g} %, write {100 * keys[key]:g}" if fraction else ""
@@ -106,15 +105,13 @@ def _line(parse: Callable[[str], Any], text: str, key: tuple[str, ...]) -> int:
     return len(lines)
 
 
-def used_before(out: Path, course: Course) -> dict[str, float]:
+def used_before(out: Path, course: Course) -> dict[str, int]:
     """The free days that each student has used in earlier assignments. Raises UsageError."""
-    used: dict[str, float] = {}
+    used: dict[str, int] = {}
     for path in (out / folder / SLIP_DAYS for folder in course.earlier):
         for line, row in rows_of(path, ("student", "days"), ()):
-            days = number_in(row["days"])
-            if days is None or not 0 <= days < 1000:
-                raise UsageError(
-                    f"{path}, line {line}: days should be a number, and is {row['days']!r}"
-                )
-            used[row["student"]] = used.get(row["student"], 0) + days
+            if not re.fullmatch(r"\d{1,4}", days := row["days"]):
+                what = f"days should be a whole number, and is {days!r}"
+                raise UsageError(f"{path}, line {line}: {what}")
+            used[row["student"]] = used.get(row["student"], 0) + int(days)
     return used

@@ -165,8 +165,8 @@ def _read_blackboard(archive: Archive, _people: Names) -> Read:
             read[head] = f"isn't the only one that could be {user}'s: keep one of them"
         else:
             for upload in files:
-                own = upload._replace(name=name, user=user, attempt=upload.number)
-                read[upload.entry] = own
+                attempt = upload.number
+                read[upload.entry] = upload._replace(name=name, user=user, attempt=attempt)
     return read
 
 

@@ -19,7 +19,8 @@ from bounce_grader.submission.submission import part_file
 
 
 def read(path: Path, people: Names = {}, best: bool = False) -> Class:
-    """Reads a class; if the `best` attempt counts, all attempts that are there. Raises UsageError if there is no submission in `path`."""
+    """Reads a class; if the `best` attempt counts, with all attempts that are there. Raises
+    UsageError if there is no submission in `path`."""
     path = path.absolute()
     if path.is_dir():
         children = sorted(child for child in path.iterdir() if not of_macos(child.name))

@@ -18,7 +18,7 @@ SETS: dict[str, Set] = {"=": lambda _, to: to, "at least": max, "at most": min}
 
 
 def final(
-    summary: Summary, member: Member, own: Sequence[Adjustment], course: Course, used: float
+    summary: Summary, member: Member, own: Sequence[Adjustment], course: Course, used: int
 ) -> Member:
     """Applies, in this order: dropped checks, lateness, added points, points that are set. `used`
     is the number of free days that the person has used in earlier assignments."""
@@ -35,13 +35,13 @@ def final(
         if row.drop:
             change(sum(lost.pop(id, 0) for id in row.drop), row)  # each once
     days = _late_days(summary, own, course) if course.percent_per_day else 0
-    free = min(days, max(0, course.slip_days - int(used)))
+    left = max(0, course.slip_days - used)
+    free = min(days, left)
     if days:
         percent = min((days - free) * course.percent_per_day, course.at_most_percent)
         words = f"{days} day{'s' * (days > 1)} late"
         if course.slip_days:
-            left = max(0, course.slip_days - int(used) - free)
-            words += f", {free} of them free, with {left} left"
+            words += f", {free} of them free, with {left - free} left"
         words += f", {short(percent)} %" * (percent > 0)
         change(-min(points, full_points() * percent / 100), Adjustment("", "", reason=words))
     for row in own:

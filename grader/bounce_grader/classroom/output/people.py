@@ -171,8 +171,9 @@ class People:
         def points(one: Summary) -> float:
             return sum(self._final(one, member).points for member in one.student.members)
 
+        if len(attempts) == 1:
+            return attempts[0]
         graded = [one for one in attempts if one.score is not None] or attempts
         best = max(reversed(graded), key=points)
-        if len(attempts) > 1:
-            best.attempt = f"attempt {attempts.index(best) + 1} of {len(attempts)}, the best"
+        best.attempt = f"attempt {attempts.index(best) + 1} of {len(attempts)}, the best"
         return best
