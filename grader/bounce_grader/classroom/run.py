@@ -9,9 +9,9 @@ from typing import Any, TextIO
 
 from bounce_grader.classroom.grading import grading, near_copies, results
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.intake import gradebook, students
+from bounce_grader.classroom.intake import course, gradebook, students
 from bounce_grader.classroom.intake.canvas_api import Canvas, download
-from bounce_grader.classroom.output import canvas_upload, earlier, feedback, page, points
+from bounce_grader.classroom.output import canvas_upload, comments, earlier, feedback, page, points
 from bounce_grader.classroom.output.people import People
 from bounce_grader.common.errors import KitError, UsageError
 from bounce_grader.common.escaping import csv_row, terminal
@@ -74,10 +74,11 @@ def _read(options: Options) -> tuple[Canvas | None, People, list[Summary]]:
     people = People(options.out, book)
     corpus = [other for folder in options.corpus for other in near_copies.corpus(folder)]
     canvas = Canvas(options.canvas) if options.canvas else None
+    best = people.course.attempt == "best"
     if canvas:
-        intake = download(canvas, options.out)
+        intake = download(canvas, options.out, best)
     else:
-        intake = students.read(options.submissions, people.names())
+        intake = students.read(options.submissions, people.names(), best)
     intake.strays += people.assign(intake)
     points.require_same_class(book, intake)
     return canvas, people, corpus
@@ -115,11 +116,16 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
         print("\n".join(grading.differences(there, tasks, summaries)))
         return status
     results.count(folder, stamp)
-    people.give_points(summaries)
     earlier.note_fewer(out, tasks, summaries)
+    summaries = people.give_points(summaries)
+    if people.course.slip_days:
+        used = {one.id: one.slip_days for summary in summaries for one in summary.finals}
+        lines = (csv_row([id, days]) for id, days in sorted(used.items()))
+        write_whole(out / course.SLIP_DAYS, "\ufeffstudent,days\r\n" + "".join(lines))
+    sentences = [*intake.strays, *comments.place(out, people, summaries)]
     near = near_copies.find(summaries, corpus)
     pages = feedback.write(out, summaries)
-    sentences, written = intake.strays, ["grades.csv", "class.html", "feedback/"]
+    written = ["grades.csv", "class.html", "feedback/"]
     if people.book.table:
         path = _filled_in(options)
         sentences += points.write(path, people, summaries, options.overwrite)

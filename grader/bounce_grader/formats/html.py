@@ -18,9 +18,16 @@ PAGE = "formats/feedback.html.j2"
 PACKAGE = Path(__file__).resolve().parents[1]
 
 
-def render(record: Report, name: str = "", unused: Sequence[str] = (), *in_the_end: Any) -> str:
-    """The page of a person or a group. `in_the_end` says what each member gets, where that isn't the
-    score: points, and what was applied."""
+def render(
+    record: Report,
+    name: str = "",
+    unused: Sequence[str] = (),
+    final: Any = None,
+    comments: Sequence[Any] = (),
+    note: str = "",
+) -> str:
+    """The page of a person or a group. `final` has the points that count, where that isn't the score,
+    and what was applied; `comments` are an instructor's, with lines of the code."""
     measured = record.get("speed") or {}
     return fill(
         PAGE,
@@ -30,7 +37,10 @@ def render(record: Report, name: str = "", unused: Sequence[str] = (), *in_the_e
         speed=measured if measured.get("scenes") or "otherwise" in measured else None,
         speed_sentences=" ".join(speed.sentences(measured)),
         unused=_unused(record, unused),
-        in_the_end=in_the_end,
+        final=final,
+        counts=round(final.points, 2) if final else record["score"],
+        comments=comments,
+        note=note,
     )
 
 

@@ -106,6 +106,7 @@ def class_page(page: str) -> str:
 def feedback_page(page: str) -> str:
     """A page without what is said of each part."""
     head = between(page, "<body>", '<div class="bar">')
+    head += between(page, "<h2>Comments", "<h2><span>")
     unused = between(page, "Not used:", "</ul>")
     answers = "The expected answers are shown.\n" if "0.8128" in page else ""
     return text_of(head) + answers + (f"Not used:\n{text_of(unused)}" if unused else "")
@@ -113,7 +114,8 @@ def feedback_page(page: str) -> str:
 
 def pages(out: Path) -> Outputs:
     """By name; and which pages are in the zips."""
-    found = {f"page {file.name}": feedback_page(decoded(file)) for file in out.glob("feedback/*")}
+    files = {file.relative_to(out / "feedback"): file for file in out.glob("feedback/**/*.html")}
+    found = {f"page {name}": feedback_page(decoded(file)) for name, file in files.items()}
     for path in out.glob("feedback-*.zip"):
         with zipfile.ZipFile(path) as archive:
             found[f"page {path.name}"] = "".join(f"{n}\n" for n in sorted(archive.namelist()))

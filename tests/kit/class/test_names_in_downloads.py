@@ -45,9 +45,9 @@ def test_a_name_is_read(row: list[str]) -> None:
     assert read + [""] * (6 - len(read)) == expected
 
 
-@pytest.mark.parametrize("status, days", table("lateness"))
-def test_days_late_in_moodles_words(status: str, days: str) -> None:
-    assert gradebook.days_late(status) == (int(days) if days else None)
+@pytest.mark.parametrize("status, seconds", table("lateness"))
+def test_how_late_in_moodles_words(status: str, seconds: str) -> None:
+    assert gradebook.seconds_late(status) == (int(seconds) if seconds else None)
 
 
 @pytest.mark.parametrize("entries, people, users", table("whose_entries"))

@@ -43,26 +43,18 @@ def grade(
     with closing(graded):
         for task, failure in graded:
             failed |= progress.after({task.key: failure} if failure else {})
-    again = "the kit failed, so run the same command again"
-    missing_ones = [("failed", f"{again}: {failed.get(task.key)}") for task in tasks]
-    return _summaries(tasks, missing_ones, reveal)
-
-
-def _summaries(
-    tasks: Sequence[Task], missing: Sequence[tuple[str, str]], reveal: bool
-) -> list[Summary]:
-    """What is known of submissions; those without a result have these states and messages."""
     loaded = [results.load(task.folder, task.key) for task in tasks]
     told = iter(reports([of["record"] for of in loaded if of and of["record"]], reveal))
-    made = []
-    for task, of, (state, why) in zip(tasks, loaded, missing):
+    summaries = []
+    for task, of in zip(tasks, loaded):
         if of:
             report = next(told) if of["record"] else NO_REPORT
-            graded = (of["state"], of["message"], of["key"], report, tuple(of["beside"]))
-            made.append(Summary(task.student, *graded))
+            known = (of["state"], of["message"], of["key"], report, tuple(of["beside"]))
+            summaries.append(Summary(task.student, *known))
         else:
-            made.append(Summary(task.student, state, why, task.key))
-    return made
+            why = f"the kit failed, so run the same command again: {failed.get(task.key)}"
+            summaries.append(Summary(task.student, "failed", why, task.key))
+    return summaries
 
 
 def differences(there: Stamp, tasks: Sequence[Task], summaries: Sequence[Summary]) -> list[str]:

@@ -5,8 +5,9 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
+from urllib.parse import quote
 
-from bounce_grader.classroom.intake.student import Member, Student
+from bounce_grader.classroom.intake.student import Comment, Member, Student
 from bounce_grader.common.escaping import first_few, Value
 from bounce_grader.common.manifest import full_points, named_together, parts
 from bounce_grader.grading.report import NO_REPORT, Report
@@ -16,6 +17,7 @@ from bounce_grader.submission.submission import JUDGED
 NO_PART = re.compile(r"(\S*/)?(readme|cmakelists|makefile|\.ds_store|\._|__macosx)", re.IGNORECASE)
 COLUMNS = [*(part.stem for part in parts()), *(c.id for part in parts() for c in part.checks)]
 MOST_UNUSED = 20  # names of unused files in a cell
+MEMBERS = "members"  # the folder of their pages
 ODD = {"timed_out", "out_of_memory", "no_answer", "crashed", "does_not_compile"}  # ends of a part
 
 
@@ -30,6 +32,8 @@ class Summary:
     record: Report = field(default_factory=lambda: NO_REPORT)  # empty unless it is graded
     beside: tuple[str, ...] = ()  # sources that aren't parts
     notes: list[str] = field(default_factory=list)  # what else a person should look at
+    attempt: str = ""  # which one it is, if there are several
+    comments: list[Comment] = field(default_factory=list)  # the instructor's
     finals: list[Member] = field(default_factory=list)  # with their points, if it is graded
 
     def __post_init__(self) -> None:
@@ -66,6 +70,11 @@ class Summary:
         there = first_few(others, separator="; ", more=self.unused_more)
         return [f"{named_together(missing)} not there, but {there}"] if missing and others else []
 
+    def page_of(self, member: Member) -> str:
+        """The name of a member's page: in a group, each has one of their own."""
+        own = f"{MEMBERS}/{quote(member.id, safe='')}.html"
+        return own if len(self.student.members) > 1 else self.student.feedback
+
     def row(self) -> dict[str, Value]:
         """The row of grades.csv, by column."""
         student, finals, speed = self.student, self.finals, self.speed
@@ -74,7 +83,7 @@ class Summary:
         return {
             "student": student.shown,
             "id": student.id,
-            "late": "" if student.late_days == 0 else "late",
+            "late": "" if student.seconds_late == 0 else "late",
             "state": self.state,
             "score": _number(self.score),
             "final": _of_members({one.id: _number(round(one.points, 2)) for one in finals}),

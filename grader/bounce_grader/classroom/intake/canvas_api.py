@@ -85,9 +85,10 @@ class Canvas:
         self.path = f"{self.course}/assignments/{match[2]}"
         self._session = requests.Session()
 
-    def submissions(self) -> Iterator[Submission]:
-        """Those of all students, page by page. Raises UsageError where Canvas doesn't show them."""
-        url: str | None = f"{self._origin}{self.path}/submissions?per_page=100{ALSO}"
+    def submissions(self, more: str = "") -> Iterator[Submission]:
+        """Those of all students, page by page, with `more` of each. Raises UsageError where Canvas
+        doesn't show them."""
+        url: str | None = f"{self._origin}{self.path}/submissions?per_page=100{ALSO}{more}"
         while url:
             try:
                 body, url = self.request("GET", url)
@@ -151,16 +152,25 @@ def _json(body: bytes) -> Any:
         raise KitError("Canvas's answer is no JSON: is CANVAS_URL right?") from error
 
 
-def download(canvas: Canvas, out: Path) -> Class:
-    """The class, with its files in OUT/canvas. A file that is there isn't downloaded again."""
+def download(canvas: Canvas, out: Path, best: bool) -> Class:
+    """The class, with its files in OUT/canvas; if the `best` attempt counts, with all attempts. A file
+    that is there isn't downloaded again."""
     folder = out / FILES
     out.mkdir(mode=0o700, parents=True, exist_ok=True)
-    listed = list(canvas.submissions())
+    listed = list(canvas.submissions("&include[]=submission_history" * best))
+    if best:
+        listed = [last | one for last in listed for one in _attempts(last)]
     students = [_student(canvas, folder, submission) for submission in listed]
     intake = Class("Canvas's API", list(filter(None, students)), service="canvas")
     if not intake.students:
         raise UsageError(f"nobody has submitted a file to the assignment {canvas.assignment} yet")
     return intake
+
+
+def _attempts(submission: Submission) -> list[Submission]:
+    """The oldest first."""
+    every = submission.get("submission_history") or [submission]
+    return sorted(every, key=lambda one: int(one.get("attempt") or 0))
 
 
 def _student(canvas: Canvas, folder: Path, submission: Submission) -> Student | None:
@@ -178,8 +188,8 @@ def _student(canvas: Canvas, folder: Path, submission: Submission) -> Student | 
     if not uploads:
         return None
     student = student_of(folder, uploads, canvas_page(uploads))
-    days = math.ceil(float(submission.get("seconds_late") or 0) / 86400)
-    return student._replace(person=name, late_days=max(1, days) * bool(submission.get("late")))
+    late = math.ceil(float(submission.get("seconds_late") or 0)) or None
+    return student._replace(person=name, seconds_late=late if submission.get("late") else 0)
 
 
 def name_of(submission: Submission) -> str:

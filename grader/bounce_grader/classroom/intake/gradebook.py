@@ -31,7 +31,7 @@ PARTICIPANT = re.compile(r"[^\W\d].*?\s?\d+", re.DOTALL)  # Moodle's first cell:
 TOTAL = re.compile(r"\s*\[Total Pts: ([\d.,]+)[^\]]*\]\s*\|\s*\d+\s*$")  # and in Blackboard's file
 MOST = re.compile(r"\s+Points Grade(?:\s+<\w+ MaxPoints:([\d.,]+)[^>]*>)?$")  # and in Brightspace's
 NAMES = ("Student", "Full name", "LastName", "FirstName", "Last Name", "First Name")
-# In Moodle's languages: titles of the column, and what words begin with, by the days in a unit.
+# In Moodle's languages: titles of the column, and what words begin with, by the seconds in a unit.
 WORDS = json.loads(Path(__file__).with_name("moodle_words.json").read_text("utf-8"))
 
 
@@ -54,7 +54,7 @@ class Gradebook:
     title: str = ""  # of the column to fill
     lines: list[Line] = field(default_factory=list)
     possible: list[str] = field(default_factory=list)  # what the file says of the most points
-    late: dict[str, int | None] = field(default_factory=dict)  # days, by id, if the file tells
+    late: dict[str, int | None] = field(default_factory=dict)  # seconds, by id, if the file tells
     table: Table | None = None
     column: int = 0
 
@@ -116,7 +116,7 @@ def _add(book: Gradebook, number: int, cells: Mapping[str, str], row: Row) -> No
             stays = "has a grade that Moodle lets nobody change here"
         book.possible.append(row.text(book.column + 1))
         for title in filter(cells.__contains__, WORDS["status"]):
-            book.late[ids[0]] = days_late(cells[title])
+            book.late[ids[0]] = seconds_late(cells[title])
     elif book.service == "brightspace":
         ids = [cells[t].removeprefix("#") for t in ("OrgDefinedId", "Username") if t in cells]
         book.possible += MOST.findall(book.title)
@@ -156,16 +156,15 @@ def _only_column(table: Table, title: str, ending: re.Pattern[str]) -> int:
     raise UsageError(f"{table.name} has {columns}{title and f' {title!r}'} to fill: {name}")
 
 
-def days_late(status: str) -> int | None:
-    """How many days are begun after the deadline, by a cell of Moodle's worksheet; None if the words
-    aren't known. Full hours count, so that "2 days late" is two days."""
+def seconds_late(status: str) -> int | None:
+    """How long after the deadline, by a cell of Moodle's worksheet; None if the words aren't known."""
     late = [*status.split(" - "), ""][1]
     if re.search(r"\d{4}|\d:\d", late):  # the date of an extension
         return 0
-    days, begun = 0, False
+    seconds = 0
     for number, word in re.findall(r"(\d+)\s+([^\W\d]+)", late):
-        units = [int(d) for d, of in WORDS["units"].items() if word.lower().startswith(tuple(of))]
+        units = [int(s) for s, of in WORDS["units"].items() if word.lower().startswith(tuple(of))]
         if not units:
             return None
-        days, begun = days + int(number) * units[0], begun or units[0] == 0
-    return days + begun
+        seconds += int(number) * units[0]
+    return seconds

@@ -152,7 +152,7 @@ def _moodle_page(uploads: Sequence[Upload]) -> str:
 
 
 def _read_blackboard(archive: Archive, _people: Names) -> Read:
-    """The files of each user, and the text of the newest attempt if that has none."""
+    """The files of each user's attempts, and the text of the newest if that has none."""
     read: Read = {}
     heads: dict[str, list[Upload]] = defaultdict(list)
     for entry in archive.names:
@@ -173,17 +173,15 @@ def _read_blackboard(archive: Archive, _people: Names) -> Read:
         elif times[user] > 1:
             read[head] = f"isn't the only one that could be {user}'s: keep one of them"
         else:
-            read |= _newest(files, last, user, name)
+            read |= _of(files, user, name)
     return read
 
 
-def _newest(uploads: Sequence[Upload], last: int, user: str, name: str) -> Read:
-    """What somebody has uploaded, of which the last attempt counts."""
+def _of(uploads: Sequence[Upload], user: str, name: str) -> Read:
+    """What somebody has uploaded, with the attempt that each file is of."""
     read: Read = {}
     for upload in uploads:
-        old = f"{printable_name(upload.file)} is of an older attempt"
-        why = upload.instead or old * (upload.number < last)
-        read[upload.entry] = upload._replace(name=name, user=user, instead=why)
+        read[upload.entry] = upload._replace(name=name, user=user, attempt=upload.number)
     return read
 
 
@@ -220,7 +218,7 @@ def _read_brightspace(archive: Archive, people: Names) -> Read:
         else:
             own = whose[name.casefold()]
             (user,) = own if len(own) == named[name.casefold()] == 1 else [numbers]
-            read |= _newest(uploads, last, user, name)
+            read |= _of(uploads, user, name)
     return read
 
 

@@ -22,6 +22,7 @@ class Upload(NamedTuple):
     number: int = 0  # grows: the id of Canvas's attachment, the time of Blackboard's attempt
     as_named: bool = True  # the file has the student's own name for it, and no other file's
     instead: str = ""  # why it is no file that counts, as "text was typed"
+    attempt: int = 0  # grows; files of one attempt belong together
 
 
 class Adjustment(NamedTuple):
@@ -29,12 +30,24 @@ class Adjustment(NamedTuple):
 
     where: str  # the file and the line
     student: str  # an id, or "*" for everybody
-    points: float = 0.0  # added
-    late_days: float | None = None  # in place of the service's; 0 for an extension
-    cap: float | None = None  # the most points
+    points: float = 0.0  # added; or what the points become, or are at least or at most
+    sets: str = ""  # "=", "at least" or "at most"; "" if points are added
+    late_days: int | None = None  # in place of the service's; 0 for an extension
     drop: tuple[str, ...] = ()  # checks whose points are given
     reason: str = ""
     comment: str = ""
+
+
+class Comment(NamedTuple):
+    """One row of comments.csv: what an instructor says about a line of code."""
+
+    row: int  # the line of the file
+    student: str  # an id
+    file: str
+    line: int
+    text: str
+    code: str = ""  # the text of that line, when it was first shown
+    shown: tuple[tuple[int, str], ...] = ()  # the lines around it, with their numbers
 
 
 class Member(NamedTuple):
@@ -45,6 +58,7 @@ class Member(NamedTuple):
     listed: bool = False  # in the instructor's roster
     points: float = 0.0  # in the end
     applied: tuple[Adjustment, ...] = ()  # with the points that each gave
+    slip_days: int = 0  # free days late that they have used here
 
 
 class Student(NamedTuple):
@@ -57,7 +71,7 @@ class Student(NamedTuple):
     feedback: str = ""  # the name of the feedback page; "" if there is none
     unused: tuple[str, ...] = ()  # a sentence for each file that doesn't count
     person: str = ""  # the name in the gradebook or the roster, as "Doe, Jane"
-    late_days: int | None = 0  # begun after the due date; None if it is late, and not said how much
+    seconds_late: int | None = 0  # after the due date; None if it is late, and not said how much
     members: tuple[Member, ...] = ()  # who gets the points
     refused: str = ""  # why nothing can be graded, for the student and the instructor
 

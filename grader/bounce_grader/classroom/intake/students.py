@@ -18,22 +18,23 @@ from bounce_grader.submission.intake import archive_stem, is_archive
 from bounce_grader.submission.submission import part_file
 
 
-def read(path: Path, people: Names = {}) -> Class:
-    """Reads a class. Raises UsageError if there is no submission in `path`."""
+def read(path: Path, people: Names = {}, best: bool = False) -> Class:
+    """Reads a class; if the `best` attempt counts, with all attempts that are there. Raises
+    UsageError if there is no submission in `path`."""
     path = path.absolute()
     if path.is_dir():
         children = sorted(child for child in path.iterdir() if not of_macos(child.name))
         files = [child.name for child in children if is_file(child)]
         folders = [f"{child.name}/x" for child in children if is_folder(child)]
         if service := _service([*files, *folders]):
-            intake = _of_download(service, opened(path), people)
+            intake = _of_download(service, opened(path), people, best)
         else:
             intake = _of_folder(path, children)
     elif not path.exists():
         raise UsageError(f"there is no file or folder {printable_name(str(path))}")
     elif zipfile.is_zipfile(path):
         archive = opened(path)
-        intake = _of_download(_service(archive.names) or CANVAS, archive, people)
+        intake = _of_download(_service(archive.names) or CANVAS, archive, people, best)
     else:
         as_it_is = "give the download as it is, or anew"
         raise UsageError(f"{path} is no folder and no whole zip: {as_it_is}")
@@ -59,15 +60,15 @@ def _service(names: Sequence[str]) -> Service | None:
     return CANVAS if known else None
 
 
-def _of_download(service: Service, archive: Archive, people: Names) -> Class:
+def _of_download(service: Service, archive: Archive, people: Names, best: bool) -> Class:
     intake = Class(f"a {service.title} download", service=service.title.lower())
-    users: dict[str, list[Upload]] = {}
+    users: dict[tuple[str, int], list[Upload]] = {}
     for name, found in service.read(archive, people).items():
         if isinstance(found, str):
             intake.add_stray(name, found)
         else:
-            users.setdefault(found.user, []).append(found)
-    for uploads in users.values():
+            users.setdefault((found.user, found.attempt * best), []).append(found)
+    for _, uploads in sorted(users.items()):
         intake.students.append(student_of(archive.path, uploads, service.page_of(uploads)))
     return intake
 

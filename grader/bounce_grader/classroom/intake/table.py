@@ -2,11 +2,12 @@
 
 import csv
 import io
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from bounce_grader.common.errors import UsageError
+from bounce_grader.common.escaping import csv_row
 
 BOM = "\ufeff"
 UTF_16 = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}  # often Blackboard's
@@ -18,6 +19,11 @@ def number_in(text: str) -> float | None:
         return float(text.strip().replace(",", "."))
     except ValueError:
         return None
+
+
+def in_csv(text: str) -> str:
+    """A text as a cell holds it, which no spreadsheet takes for a formula."""
+    return next(csv.reader([csv_row([text.replace("\n", " ")])]))[0]
 
 
 class Row(NamedTuple):
@@ -82,4 +88,28 @@ class Table:
     def encoded(self) -> bytes:
         text = io.StringIO(newline="")
         csv.writer(text, **self._style).writerows(row.cells for row in self.rows)
-        return f"{self._start}{text.getvalue()}".encode(self._encoding)
+        try:
+            return f"{self._start}{text.getvalue()}".encode(self._encoding)
+        except UnicodeEncodeError:  # what was added isn't in Latin-1
+            return f"{BOM}{text.getvalue()}".encode()
+
+
+def rows_of(
+    path: Path, needed: Sequence[str], more: Sequence[str], moved: Mapping[str, str] = {}
+) -> list[tuple[int, dict[str, str]]]:
+    """The line and the cells, by column, of each row that isn't empty, in a file that an instructor
+    writes; none without such a file. Columns may be in any order; `moved` says where to put what was
+    in columns that are no more. Raises UsageError."""
+    if not path.exists():
+        return []
+    table = Table(path)
+    header = [title.lower() for title in table.header]
+    if not set(needed) <= set(header) <= {*needed, *more} or len(set(header)) < len(header):
+        others = f", and any of {', '.join(more)}" if more else ""
+        takes = f"it takes {' and '.join(needed)}{others}, each once"
+        hints = "".join(f"; {moved[title]}" for title in header if title in moved)
+        raise UsageError(f"{path} has the columns {', '.join(header)}: {takes}{hints}")
+    rows = [row for row in table.rows[1:] if any(row.texts())]
+    table.require_all_cells(rows, "put texts with commas into quotation marks")
+    empty = dict.fromkeys(more, "")
+    return [(row.line, empty | dict(zip(header, row.texts()))) for row in rows]

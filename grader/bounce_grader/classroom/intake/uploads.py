@@ -111,21 +111,23 @@ def student_of(download: Path, uploads: Sequence[Upload], page: str) -> Student:
     late = None if any(upload.late for upload in uploads) else 0
     counted, unused = _counted(uploads)
     why = "" if counted else f"{first_few(unused, separator='; ')}: {HAND_IN}"
-    number = sum(not upload.instead for upload in uploads)
+    number = sum(not u.instead and u.attempt == last.attempt for u in uploads)
     if number > MOST_UPLOADS:
         why = f"{number} files are handed in; a submission may have {MOST_UPLOADS}: {HAND_IN}"
-    student = Student(last.user, last.name or last.user, download, counted, page, late_days=late)
+    student = Student(last.user, last.name or last.user, download, counted, page, seconds_late=late)
     return student._replace(unused=() if why else unused, refused=why)
 
 
 def _counted(uploads: Sequence[Upload]) -> tuple[tuple[Upload, ...], tuple[str, ...]]:
     """The newest upload of each file, and a sentence for each upload that isn't used."""
     newest: dict[str, Upload] = {}
-    unused = []
+    unused, attempt = [], max(upload.attempt for upload in uploads)
     for upload in sorted(uploads, key=lambda upload: -upload.number):
         shown, file = printable_name(upload.file), names_of(upload)[0]
         if upload.instead:
             unused.append(upload.instead)
+        elif upload.attempt < attempt:
+            unused.append(f"{shown} is of an older attempt")
         elif not may_count(file):
             unused.append(f"{shown} {NOT_USED}")
         elif file in newest:

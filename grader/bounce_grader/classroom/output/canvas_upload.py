@@ -47,7 +47,7 @@ def show_or_post(canvas: Canvas, summaries: Sequence[Summary], options: Any, ded
     filled, sentences = fill(book, finals, False, written, options.overwrite)
     points = {line.ids[0]: short(value) for line, value in filled if number_in(line.there) != value}
     sentences[:0] = [*_level(listed, filled, points), *_twice(canvas, deducts)]
-    page_of = {one.id: s.student.feedback for s in summaries for one in s.finals}
+    page_of = {one.id: s.page_of(one) for s in summaries for one in s.finals}
     page_of |= {s.student.id: s.student.feedback for s in summaries if s.state == "unreadable"}
     changes = []
     for line, submission in zip(book.lines, listed):

@@ -97,7 +97,7 @@ def _figures(summaries: Sequence[Summary], graded: Sequence[Summary]) -> Iterato
         yield "median", short(statistics.median(scores))
         yield "mean", f"{statistics.mean(scores):.1f}"
         yield "with full marks", str(sum(s.has_all_points for s in summaries))
-    if late := sum(s.student.late_days != 0 for s in summaries):
+    if late := sum(s.student.seconds_late != 0 for s in summaries):
         yield "late", str(late)
 
 

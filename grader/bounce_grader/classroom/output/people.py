@@ -1,19 +1,18 @@
 """Who gets the points of each submission, by what is known of people: the gradebook, the
-instructor's roster, and the download; and how many in the end, with what lateness costs and the
-adjustments of the instructor. Records stay as they are."""
+instructor's roster, and the download; and what the instructor changes and says for whom."""
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.classroom.intake import instructor_files as files
+from bounce_grader.classroom.intake import course, instructor_files as files
 from bounce_grader.classroom.intake.gradebook import Gradebook
 from bounce_grader.classroom.intake.services import is_name_of
 from bounce_grader.classroom.intake.student import Adjustment, Class, Member, Names, Student
+from bounce_grader.classroom.intake.table import in_csv
+from bounce_grader.classroom.output.final_points import final
 from bounce_grader.common.escaping import alphabetical, first_few
-from bounce_grader.common.manifest import full_points
-from bounce_grader.common.numbers import short
 
 Person = tuple[Member, Student]  # who gets the points, and what was submitted
 
@@ -23,8 +22,9 @@ class People:
 
     def __init__(self, out: Path, book: Gradebook) -> None:
         """Reads the instructor's files in the folder `out`. Raises UsageError."""
-        self.book, self.course = book, files.course(out)
-        self._adjustments = files.adjustments(out)
+        self.book, self.course = book, course.course(out)
+        self._used = course.used_before(out, self.course)
+        self._adjustments, self.comments = files.adjustments(out), files.comments(out)
         names = {id: line.person for id, line in book.people().items()}
         self._own_ids = {id: line.ids[0] for id, line in book.people().items()}  # at the service
         self._roster: dict[str, list[Member]] = defaultdict(list)
@@ -53,14 +53,16 @@ class People:
         assigned = []
         for student in intake.students:
             own = self._listed(student, submissions)
-            late = self.book.late.get(student.id, student.late_days)
-            student = student._replace(person=self._name(student, own), late_days=late)
+            late = self.book.late.get(student.id, student.seconds_late)
+            student = student._replace(person=self._name(student, own), seconds_late=late)
             members = tuple(own or [Member(student.id, student.shown)])
             assigned.append(student._replace(members=members))
         intake.students = sorted(assigned, key=lambda s: (alphabetical(s.shown), s.id))
-        people = [(member, student) for student in intake.students for member in student.members]
-        listed = {member.id for member, _ in people if member.listed}
-        return [*self._no_lateness(intake), *self._adjust(people), *self._idle(listed)]
+        listed = {member.id for member, _ in self._people() if member.listed}
+        return [*self._idle_policy(intake), *self._adjust(), *self._idle(listed)]
+
+    def _people(self) -> list[Person]:
+        return [(member, student) for student in self.intake.students for member in student.members]
 
     def _listed(self, student: Student, submissions: set[str]) -> list[Member]:
         """A submission's members: those that the roster gives for its id, such as a login; or the
@@ -85,33 +87,45 @@ class People:
             return person if own and is_name_of(person, student.name) else student.person
         return person or (student.name if self.intake.service else student.person)
 
-    def _no_lateness(self, intake: Class) -> list[str]:
-        if not self.course.percent_per_day or intake.service == "canvas" or self.book.late:
-            return []
-        costs = f"lateness costs points by {files.COURSE}"
-        moodle = ", and so does the grading worksheet (--gradebook)" * (intake.service == "moodle")
-        can = f"{files.ADJUSTMENTS} can{moodle}"
-        return [f"{costs}, but {intake.source} doesn't say who was late: {can}"]
+    def _idle_policy(self, intake: Class) -> Iterator[str]:
+        """A sentence on each part of the policy that changes nothing here."""
+        ids, policy = [student.id for student in intake.students], self.course
+        given = sum(one.late_days is not None for one in self._adjustments)
+        if given and not policy.percent_per_day:
+            lines = f"late_days in {given} line{'s' * (given > 1)} of {files.ADJUSTMENTS}"
+            yield f"{lines} changes nothing: {course.COURSE} has no percent_per_day below [late]"
+        if policy.percent_per_day and not (intake.service == "canvas" or self.book.late):
+            worksheet = ", and so does the grading worksheet (--gradebook)"
+            can = f"{files.ADJUSTMENTS} can{worksheet * (intake.service == 'moodle')}"
+            costs = f"lateness costs points by {course.COURSE}"
+            yield f"{costs}, but {intake.source} doesn't say who was late: {can}"
+        if policy.earlier and not self._used.keys() & {in_csv(m.id) for m, _ in self._people()}:
+            none = "has none of these students' ids, so all of their free days are left"
+            yield f"{course.SLIP_DAYS} of earlier assignments {none}"
+        if policy.attempt == "best" and len({*ids}) == len(ids):
+            yield f"the best attempt counts, but {intake.source} has one of each student"
 
-    def _adjust(self, people: Sequence[Person]) -> list[str]:
+    def _adjust(self) -> list[str]:
         """Notes whom each adjustment is for, a person's own after everybody's. Returns a sentence
         for each that changes nothing."""
         sentences = []
         for adjustment in sorted(self._adjustments, key=lambda one: one.student != files.EVERYBODY):
             who = adjustment.student
-            meant = people if who == files.EVERYBODY else self._meant_by(who, people)
+            meant = self._people() if who == files.EVERYBODY else self.meant_by(who)
             for member, student in meant:
-                self._adjusted[member.id, student.id].append(adjustment)
+                rows = self._adjusted[member.id, student.id]
+                rows += [adjustment] * (adjustment not in rows)  # once for all attempts
             if all(student.refused for _, student in meant) and who != files.EVERYBODY:
                 words = "is graded, so it changes nothing; ids are as in grades.csv"
                 sentences.append(f"{adjustment.where} nothing of {who!r} {words}")
         return sentences
 
-    def _meant_by(self, id: str, people: Sequence[Person]) -> list[Person]:
+    def meant_by(self, id: str) -> list[Person]:
         """The people whom an instructor means by an id: the one who has it in the gradebook; else
         whoever has it in the roster or from the service; else the members of the submission with
         this id, such as a login. Students choose their logins, so a login never stands for a person
         of the gradebook or of the roster."""
+        people = self._people()
         known = [(m, s) for m, s in people if not (self.intake.logins and m.id == s.id)]
         if own := self._own_ids.get(id):
             return [(m, s) for m, s in known if self._own_ids.get(m.id) == own]
@@ -123,11 +137,16 @@ class People:
         words = "no submission is matched with that id or with a member"
         return [f"{files.ROSTER} lists {first_few(idle, separator='; ')}: {words}"] * bool(idle)
 
-    def give_points(self, summaries: Sequence[Summary]) -> None:
-        """Adds the final points of each person. If the roster lists somebody for several
-        submissions, none of them gives points; if for one, no other does. A login alone gets no
-        points."""
-        graded = [(m, s) for s in summaries if s.score is not None for m in s.student.members]
+    def give_points(self, summaries: Sequence[Summary]) -> list[Summary]:
+        """Adds the final points of each person. Returns the submissions that count: of several
+        attempts, the one with most points in the end, or the latest of these. If the roster lists
+        somebody for several submissions, none of them gives points; if for one, no other does. A
+        login alone gets no points."""
+        attempts: dict[str, list[Summary]] = defaultdict(list)
+        for summary in summaries:
+            attempts[summary.student.id].append(summary)
+        counting = [self._best(of) for of in attempts.values()]
+        graded = [(m, s) for s in counting if s.score is not None for m in s.student.members]
         given: dict[str, list[str]] = defaultdict(list)  # submissions, by the roster's ids
         for member, summary in graded:
             if member.listed:
@@ -141,42 +160,20 @@ class People:
             elif names and not member.listed and not self.intake.logins:
                 note(f"{gives} {member.id} the points of {names} alone")
             else:
-                own = self._adjusted[member.id, summary.student.id]
-                summary.finals.append(_final(summary, member, own, self.course))
+                summary.finals.append(self._final(summary, member))
+        return counting
 
+    def _final(self, summary: Summary, member: Member) -> Member:
+        own = self._adjusted[member.id, summary.student.id]
+        return final(summary, member, own, self.course, self._used.get(in_csv(member.id), 0))
 
-def _final(summary: Summary, member: Member, own: list[Adjustment], course: files.Course) -> Member:
-    """Applies, in this order: dropped checks, lateness, points, caps."""
-    points = summary.score or 0.0
-    applied: list[Adjustment] = []
+    def _best(self, attempts: Sequence[Summary]) -> Summary:
+        def points(one: Summary) -> float:
+            return sum(self._final(one, member).points for member in one.student.members)
 
-    def change(by: float, why: Adjustment) -> None:
-        nonlocal points
-        points += by
-        applied.append(why._replace(points=round(by, 2)))
-
-    lost = {id: check["max_score"] for id, check in summary.checks.items() if not check["passed"]}
-    for adjustment in own:
-        if adjustment.drop:
-            change(sum(lost.pop(id, 0) for id in adjustment.drop), adjustment)  # each once
-    if course.percent_per_day and (days := _late_days(summary, own)):
-        percent = min(days * course.percent_per_day, course.at_most_percent)
-        words = f"{short(days)} day{'s' * (days > 1)} late, {short(percent)} %"
-        change(-min(points, full_points() * percent / 100), Adjustment("", "", reason=words))
-    for adjustment in own:
-        if adjustment.points or adjustment.late_days is not None:
-            change(max(adjustment.points, -points), adjustment)
-    for adjustment in own:
-        if adjustment.cap is not None and points > adjustment.cap:
-            change(adjustment.cap - points, adjustment)
-    return member._replace(points=points, applied=tuple(applied))
-
-
-def _late_days(summary: Summary, own: Sequence[Adjustment]) -> float:
-    """The days late: the instructor's, else the service's. An unknown number counts as one."""
-    given = [a.late_days for a in own if a.late_days is not None]
-    days = given[-1] if given else summary.student.late_days
-    if days is None:
-        unknown = "late by an unknown number of days, counted as one"
-        summary.notes.append(f"{unknown} unless {files.ADJUSTMENTS} says otherwise")
-    return 1 if days is None else days
+        if len(attempts) == 1:
+            return attempts[0]
+        graded = [one for one in attempts if one.score is not None] or attempts
+        best = max(reversed(graded), key=points)
+        best.attempt = f"attempt {attempts.index(best) + 1} of {len(attempts)}, the best"
+        return best
