@@ -116,8 +116,9 @@ def _run(options: Options, canvas: Canvas | None, people: People, corpus: list[S
         print("\n".join(grading.differences(there, tasks, summaries)))
         return status
     results.count(folder, stamp)
-    earlier.note_fewer(out, tasks, summaries)
     summaries = people.give_points(summaries)
+    task_of = {task.key: task for task in tasks}
+    earlier.note_fewer(out, [task_of[one.key] for one in summaries], summaries)
     if people.course.slip_days:
         used = {one.id: one.slip_days for summary in summaries for one in summary.finals}
         lines = (csv_row([id, days]) for id, days in sorted(used.items()))

@@ -173,16 +173,13 @@ def _read_blackboard(archive: Archive, _people: Names) -> Read:
         elif times[user] > 1:
             read[head] = f"isn't the only one that could be {user}'s: keep one of them"
         else:
-            read |= _of(files, user, name)
+            read |= _attempts(files, user, name)
     return read
 
 
-def _of(uploads: Sequence[Upload], user: str, name: str) -> Read:
-    """What somebody has uploaded, with the attempt that each file is of."""
-    read: Read = {}
-    for upload in uploads:
-        read[upload.entry] = upload._replace(name=name, user=user, attempt=upload.number)
-    return read
+def _attempts(uploads: Sequence[Upload], user: str, name: str) -> Read:
+    """What somebody has uploaded in each attempt."""
+    return {u.entry: u._replace(name=name, user=user, attempt=u.number) for u in uploads}
 
 
 def _person(archive: Archive, head: str, uploads: Sequence[Upload]) -> tuple[str, str]:
@@ -218,7 +215,7 @@ def _read_brightspace(archive: Archive, people: Names) -> Read:
         else:
             own = whose[name.casefold()]
             (user,) = own if len(own) == named[name.casefold()] == 1 else [numbers]
-            read |= _of(uploads, user, name)
+            read |= _attempts(uploads, user, name)
     return read
 
 
