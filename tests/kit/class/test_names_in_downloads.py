@@ -33,6 +33,7 @@ READ: dict[str, Callable[[str], list[str]]] = {
     "canvas": lambda entry: fields(services.CANVAS.parse(entry)),
     "moodle": lambda entry: fields(services.MOODLE.parse(entry)),
     "blackboard": lambda entry: fields(services.BLACKBOARD.parse(entry)),
+    "brightspace": lambda entry: fields(services.BRIGHTSPACE.parse(entry)),
     "sanitized": lambda name: [services.sanitized(name)],
     "part": lambda file: [submission.part_file(file) or ""],
 }
