@@ -116,6 +116,7 @@ const outcomes = {
 };
 
 function setQuestion(option) {
+  if (option?.dataset.ask && q) seek(0); // what moved before says nothing of it
   question = option?.dataset.ask ? { ...option.dataset, isOpen: true } : null;
   byId("prediction").hidden = !question;
   if (!question) return;
@@ -123,7 +124,6 @@ function setQuestion(option) {
   for (const [id, words] of [["asked", question.ask], ["unit", question.unit], ["happened", ""]])
     byId(id).textContent = words;
   byId("predicted").value = "";
-  if (q) seek(0); // what moved before says nothing of it
 }
 
 function compare({ outcome, unit, why }) {

@@ -170,7 +170,7 @@ def test_on_a_phone_stage_and_sliders_are_seen_together(page: Page) -> None:
         for element in (page.find("stage"), slider):
             top, bottom = page.driver.execute_script(seen, element)
             assert 0 <= top < bottom <= 844.5
-    assert page.driver.execute_script("return document.documentElement.scrollWidth") == 390
+    assert page.driver.execute_script("return document.documentElement.scrollWidth") <= 390
 
 
 # Rocks until it rests; magnifies what a corner sinks in a ten-millionth of a side.
