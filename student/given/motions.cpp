@@ -114,7 +114,7 @@ Drawing many(const std::vector<std::string>& words) {
   drawing.title = "200 throws, almost alike";
   drawing.about = "T = " + std::to_string(scene.params.T) +
                   ", dt = " + study::number(scene.params.dt) + " s" +
-                  (n > 1 ? "; one column of " + std::to_string(n) + " is drawn" : "");
+                  (n > 1 ? "; 1 column in " + std::to_string(n) + " is drawn" : "");
   for (int k = 0; k < kSquares; ++k) {
     State start = scene.start;
     start.q(2) += kSpread * (k / (kSquares - 1.0) - 0.5);

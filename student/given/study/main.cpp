@@ -75,9 +75,11 @@ std::string error(const Measured& of) {
   std::string text = of.scene.title + ", " + with_step(run) + ": " + length(run.error) + " off";
   for (std::size_t i = 0; i < all.size(); ++i)
     text += (i ? ", " : ", by ") + std::string(kCauses[i]) + " " + percent(all[i]);
+  text += ". Next, for the largest: ";
+  if (largest(all) == 3) return text + "mend what ./check names first.";
   const bool is_of_step = largest(all) < 2;
-  return text + ". Next, for the largest: a tenth of dt " + (is_of_step ? "" : "and of delta ") +
-         "makes it " + length((is_of_step ? of.fixed : of.scaled)[kTenth].error) + ".";
+  return text + "a tenth of dt " + (is_of_step ? "" : "and of delta ") + "makes it " +
+         length((is_of_step ? of.fixed : of.scaled)[kTenth].error) + ".";
 }
 
 // The best that the program reaches, what keeps it from more, and what helps.
@@ -90,7 +92,7 @@ std::string accuracy(const Measured& of) {
   if (fine.dt < mine.dt)
     text += " A smaller step does not help: " + with_step(fine) + " it is " + length(fine.error) +
             ", " + percent(all[largest(all)]) + " by " + kCauses[largest(all)] + ".";
-  if (other.error < mine.error)
+  if (other.error < mine.error / 2)
     text += " Next: shrink delta with dt; delta = 0.1 m/s dt makes it " + length(other.error) +
             ", " + with_step(other) + ".";
   return text;

@@ -18,11 +18,11 @@ struct Scene {
   std::string name, title;
   Parameters params;
   State start;
-  double between = 0;          // s from one place of the truth to the next, the last one the end
-  std::vector<Vector3> truth;  // where the square really is; empty where that isn't studied
-  json others;  // methods, each with its "name" and what it "reached": rows time, error. The time
-                // is for a simulated second, in calls of solve_lcp (lcp_seconds in measure.hpp), so
-                // that it holds on every machine; the error in m
+  double between = 0;            // s from one place of the truth to the next, the last one the end
+  std::vector<Vector3> truth{};  // where the square really is; empty where that isn't studied
+  json others{};  // methods, each with its "name" and what it "reached": rows time, error. The time
+                  // is for a simulated second, in calls of solve_lcp (lcp_seconds in measure.hpp),
+                  // so that it holds on every machine; the error in m
 };
 
 // Of the fixtures. Throws std::runtime_error, naming the file.
