@@ -48,7 +48,7 @@ def speed(tables: Tables) -> Facts:
             ratio(x) if x == x else "–" for x in by_scene["times"]
         ]
     wins = pd.DataFrame({e: leaders(ours, e).value_counts() for e in PROBLEMS})
-    order = [*METHODS, "tie"]
+    order = [*METHODS, "tie", "alone"]
     wins = wins.reindex([name for name in order if name in wins.index]).fillna(0).astype(int)
     titles = {e: f"within {metres(e, 1)}" for e in wins}
     return {
@@ -59,6 +59,7 @@ def speed(tables: Tables) -> Facts:
         "speed_methods": _methods(runs),
         "scenes": len(table),
         "event_driven": list(wins.loc["event_driven"]),
+        "alone": wins.loc["alone"].iloc[-1] if "alone" in wins.index else 0,
         "fixed": _reached(runs, "assignment", FINE),
         "scaled": _reached(runs, "assignment_delta_dt", FINE),
         "runs": len(runs),
@@ -70,7 +71,7 @@ def _won(ours: Any, within: float) -> list[str]:
     """The scenes in which a method that steps leads, with both times."""
     first, runs = leaders(ours, within), fastest(ours, within).set_index(["scene", "method"])[TIME]
     texts = []
-    for scene, method in first[~first.isin(["event_driven", "tie"])].items():
+    for scene, method in first[~first.isin(["event_driven", "tie", "alone"])].items():
         ours_, theirs = runs.get((scene, "event_driven")), runs[scene, method]
         beside = f"event-driven {time(ours_)}" if ours_ else "event-driven never"
         texts.append(f"{label(method)} in {scene_label(scene)} ({time(theirs)}, {beside})")
@@ -78,7 +79,8 @@ def _won(ours: Any, within: float) -> list[str]:
 
 
 def _label_or_tie(method: str) -> str:
-    return "none: the next takes at most a tenth longer" if method == "tie" else label(method)
+    others = {"tie": "none: the next takes less than twice as long", "alone": "only one gets there"}
+    return others.get(method) or label(method)
 
 
 def _named(own: Any, place: int) -> str:

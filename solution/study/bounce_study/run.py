@@ -31,6 +31,8 @@ QUESTIONS = tuple(
     "chosen_model least_model restitution speed_accuracy".split()
 )
 WITH_PEERS = ("restitution", "speed_accuracy")
+# The library below Siconos waits for its other threads by computing, on the core that is measured.
+ONE_THREAD = ["env", "OPENBLAS_NUM_THREADS=1", "OMP_NUM_THREADS=1"]
 
 
 @dataclass(frozen=True)
@@ -93,7 +95,7 @@ def _measure(name: str, request: Request, file: Path) -> None:
     program = PEERS if request.peers and name in WITH_PEERS else PROGRAM
     extent = ["--quick"] if request.quick else []
     unfinished = file.with_suffix(".unfinished")
-    done = processes.run([str(program), *extent, str(SCENES), str(unfinished), name])
+    done = processes.run([*ONE_THREAD, str(program), *extent, str(SCENES), str(unfinished), name])
     if not done.ok:
         message = done.err.strip().partition(": ")[2] or f"status {done.code}"
         raise (UsageError if done.code == 2 else KitError)(message)
