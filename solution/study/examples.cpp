@@ -85,7 +85,7 @@ Table endings(const Scenes& scenes, const Extent&) {
     Motions motions = simulate_events<double>(scene.params, start, times, {}, &report);
     std::size_t moving = motions.size();
     while (moving > 0 && is_still(scene, motions[moving - 1])) --moving;
-    const bool stops = moving < motions.size();
+    const bool stops = moving > 0 && moving < motions.size();
     table.add(scene.name, report.impacts, ending(scene, motions.back()),
               stops ? text_of(times[moving], 2) : "");
   }

@@ -15,8 +15,6 @@ namespace {
 constexpr int kStarts = 5;
 // Whose parts the starts of a method without steps lie apart.
 constexpr double kLargestStep = 0.01;  // s
-// An engine takes no more steps: a few of these runs would take longer than all others together.
-constexpr double kMostEngineSteps = 40'000;
 
 // The scene as it is `time` later.
 Scene later(const Scene& scene, double time) {
@@ -96,8 +94,6 @@ Table speed_accuracy(const Scenes& scenes, const Extent& extent) {
     std::vector<Point> points;
     for (const Method& method : methods) {
       for (const double setting : method.settings) {
-        const bool is_engine = bool(method.time);
-        if (is_engine && scene.until / setting > kMostEngineSteps) continue;
         const double step = method.has_step ? setting : kLargestStep;
         points.emplace_back(method, setting, starts.try_emplace(step, scene, step).first->second);
       }

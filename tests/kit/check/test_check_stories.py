@@ -1,10 +1,10 @@
 """What ./check prints in a student's folder. A story has rounds; each gives the words after
 ./check, and may first change src/. One that names `laid` submissions, `edits` of parts or more
-`files` begins with the solution's parts. Of what is printed, `only` lines that match are
-written down, where memory that was never set decides the others; of a file that is `counted`, the
-number of lines. What is printed stands in a text beside the story.
+`files` begins with the solution's parts; files may be `gone` for a round. Of what is printed,
+`only` lines that match are written down, where memory that was never set decides the others; of a
+file that is `counted`, the number of lines. What is printed stands in a text beside the story.
 
-A story that `is_fresh` has a folder of its own, which was never built. There files may be `gone` or
+A story that `is_fresh` has a folder of its own, which was never built. There files may be
 `changed`, programs `hidden`; and what is in a file is shown `also`."""
 
 import os
@@ -48,8 +48,9 @@ def programs_without(hidden: str, folder: Path) -> str:
 def play(home: Path, round: dict[str, Any]) -> str:
     if CHANGES & round.keys():
         put(home, *round.get("laid", []), **{key: round.get(key, {}) for key in FILES})
-    for name in round.get("gone", []):
-        (home / name).unlink()
+    gone = {home / name: (home / name).read_bytes() for name in round.get("gone", [])}
+    for file in gone:
+        file.unlink()
     for name, (old, new) in round.get("changed", {}).items():
         text = (home / name).read_text()
         assert old in text
@@ -59,6 +60,8 @@ def play(home: Path, round: dict[str, Any]) -> str:
         environment["PATH"] = programs_without(round["hidden"], home.parent / round["name"])
     words = round["check"].split()
     done = check(home, *words, **environment)
+    for file, data in gone.items():
+        file.write_bytes(data)
     printed = f"{done.stdout}{done.stderr}status {done.returncode}\n"
     if "also" in round:
         printed += (home / round["also"]).read_text()
