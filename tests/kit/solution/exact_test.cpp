@@ -313,7 +313,7 @@ TEST(exact, IsTheSameInLongDouble) {
   for (const Scene& scene : scenes()) {
     const auto start = motion_of(scene.start);
     const auto usual = motions(scene.params, start, even_times(scene.until));
-    EXPECT_LE(error_of(scene, usual, truth_of(scene)), 1e-9) << scene.name;
+    EXPECT_LE(error_of(scene, usual, truth_of(scene)), 1e-8) << scene.name;
     EXPECT_TRUE(std::isinf(error_of(scene, {}, truth_of(scene)))) << scene.name;
   }
 }
