@@ -72,9 +72,9 @@ double energy_gained_by(const Method& method, const Scene& scene, double setting
 
 // The median over starts that differ by less than is seen: after half of the time rounding decides.
 double typical_gain(const Method& method, Scene scene, double setting) {
-  constexpr int kStarts = 15;
+  constexpr int kNeighbours = 15;
   std::vector<double> gains;
-  for (int i = 0; i < kStarts; ++i) {
+  for (int i = 0; i < kNeighbours; ++i) {
     scene.start.q(2) = 0.3 + 1e-12 * i;
     gains.push_back(energy_gained_by(method, scene, setting));
   }
