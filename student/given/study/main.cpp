@@ -72,10 +72,11 @@ std::size_t largest(const Numbers& all) {
 std::string error(const Measured& of) {
   const Run& run = of.fixed[kUsual];
   const auto all = shares(of.causes[kUsual]);
-  std::string text = of.scene.title + ", " + with_step(run) + ": " + length(run.error) + " off";
+  std::string text = of.scene.title + ", " + with_step(run) + ": " + length(run.error) + " off.";
   for (std::size_t i = 0; i < all.size(); ++i)
-    text += (i ? ", " : ", by ") + std::string(kCauses[i]) + " " + percent(all[i]);
-  text += ". Next, for the largest: ";
+    text += (i ? ", " : " Alone, ") + std::string(kCauses[i]) + (i ? " " : " makes ") +
+            length(of.causes[kUsual][i]) + " (" + percent(all[i]) + ")";
+  text += "; the shares are of their sum. Next, for the largest: ";
   if (largest(all) == 3) return text + "mend what ./check names first.";
   const bool is_of_step = largest(all) < 2;
   return text + "a tenth of dt " + (is_of_step ? "" : "and of delta ") + "makes it " +
