@@ -41,9 +41,8 @@ HAVE_CASES = ("README.md", "examples.txt")
 def run(options: argparse.Namespace) -> int:
     """Refuses what no longer follows from the default parameters."""
     if TABLE.read_text("utf-8") != wrong_programs.table():
-        raise UsageError(
-            f"fixtures/public/{TABLE.name} isn't what the kit writes: run ./kit fixtures"
-        )
+        differs = f"fixtures/public/{TABLE.name} isn't what the kit writes"
+        raise UsageError(f"{differs}: run ./kit fixtures")
     for name in HAVE_CASES:
         for wrong in wrong_in((HANDOUT / name).read_text("utf-8")):
             raise UsageError(f"student/{name}, {wrong}: work out this case again")
