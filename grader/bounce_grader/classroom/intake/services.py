@@ -49,8 +49,8 @@ from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
 
 Read = dict[str, Upload | str]  # by entry; or why it is of nobody
-TEXT, ADDRESS = "text was typed", "an address was typed"
-TYPED = {"text": TEXT, "link": ADDRESS, "onlinetext": TEXT, ".txt": TEXT}
+TYPED = dict.fromkeys(("text", "onlinetext", ".txt", "online_text_entry"), "text was typed")
+TYPED |= dict.fromkeys(("link", "online_url"), "an address was typed")
 UNKNOWN = "isn't named as {} names submissions"
 ID = "[0-9]{1,20}"
 WHO = (  # in Canvas's names
