@@ -9,7 +9,7 @@ import argparse
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.files import write_zip
+from bounce_grader.common.files import write_asked, zipped
 from bounce_grader.common.paths import HANDOUT, ROOT
 from bounce_grader.grading.examples import TABLE, wrong_in
 from bounce_grader.publish import handout_data, handout_page, wrong_programs
@@ -86,5 +86,5 @@ def write(path: Path) -> int:
     """Writes the zip, whole or not at all, and returns how many files it holds."""
     modes = {"check": 0o755}
     held = {f"{TOP}/{n}": (data, modes.get(n, 0o644)) for n, data in contents().items()}
-    write_zip(path, held, compressed=False)
+    write_asked(path, zipped(held, compressed=False), mode=0o600)
     return len(held)
