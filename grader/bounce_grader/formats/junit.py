@@ -22,9 +22,10 @@ def _suite(part: sentences.Part) -> ElementTree.Element:
     """The suite of a part. A check that didn't run is an error, a wrong answer a failure."""
     failed = [check for check in part["checks"] if not check["passed"]]
     errors = [check for check in failed if _did_not_run(part, check)]
-    counts = [len(part["checks"]), len(failed) - len(errors), len(errors), 0]
-    names = ("name", "tests", "failures", "errors", "skipped")
-    suite = ElementTree.Element("testsuite", dict(zip(names, (part["stem"], *map(str, counts)))))
+    counts = {"tests": len(part["checks"]), "failures": len(failed) - len(errors)}
+    counts |= {"errors": len(errors), "skipped": 0}
+    named = {"name": part["stem"]} | {name: str(count) for name, count in counts.items()}
+    suite = ElementTree.Element("testsuite", named)
     properties = ElementTree.SubElement(suite, "properties")
     for name in ("score", "max_score"):
         ElementTree.SubElement(properties, "property", name=name, value=short(part[name]))
