@@ -147,11 +147,8 @@ def _add_study(parser: argparse.ArgumentParser) -> None:
     file = partial(option, type=given_path)
     file("--json", metavar="FILE", help="of simulate: the motion, and all else")
     file("--picture", metavar="FILE.svg", help="of simulate: the same, drawn")
-    file(
-        "--out",
-        metavar="FOLDER",
-        help="what is written (default: docs/studies, build/kit/quick-study with --quick)",
-    )
+    written = "what is written (default: docs/studies, build/kit/quick-study with --quick)"
+    file("--out", metavar="FOLDER", help=written)
     file("--squares", metavar="FILE", help="of the question `measured`: drops of squares")
     file("--ellipses", metavar="FILE", help="of the question `measured`: impacts of ellipses")
     option("--quick", action="store_true", help="fewer rounds and random scenes")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from bounce_grader import formats
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.files import write_whole
+from bounce_grader.common.files import require_folder, write_asked
 from bounce_grader.common.manifest import full_points
 from bounce_grader.common.numbers import short
 from bounce_grader.grading.grade import grade, Options
@@ -20,9 +20,7 @@ def run(options: argparse.Namespace) -> int:
     if not 0 <= (options.min_score or 0) <= full_points():
         most = f"takes points from 0 to {short(full_points())}, not {short(options.min_score)}"
         raise UsageError(f"--min-score {most}")
-    folder = Path(options.json or "").parent
-    if not folder.is_dir():
-        raise UsageError(f"{options.json} can't be written: there is no folder {folder}")
+    require_folder(Path(options.json or ""))
     acceptable = (options.require_box,) if options.require_box else kinds(options.trust_submission)
     require_sound_judge(acceptable)
     wanted = Options(acceptable, options.speed, not options.no_sanitize, options.public)
@@ -35,8 +33,5 @@ def run(options: argparse.Namespace) -> int:
     shown = "json" if options.json == "-" else options.format or "terminal"
     print(formats.render(shown, record))
     if options.json not in (None, "-"):
-        try:
-            write_whole(Path(options.json), formats.render("json", record) + "\n")
-        except OSError as error:
-            raise UsageError(f"{options.json} can't be written: {error.strerror}") from error
+        write_asked(Path(options.json), formats.render("json", record) + "\n")
     return int(options.min_score is not None and record["score"] < options.min_score)

@@ -23,8 +23,8 @@ from bounce_grader.sandbox.budget import Overrun
 from bounce_grader.submission.submission import Submission
 
 HELPERS_SECONDS = 30  # of CPU time, for all helpers of a submission together
-# Change it to invalidate all objects.
 INTERPRETER = b"\0.interp\0"  # among the names of an object's sections
+# Change it to invalidate all objects.
 FORMAT = "a file of its own from a process of its own, with its digest"
 KEPT_BYTES = 16 << 20  # in each of the 256 folders
 DIGEST = 32  # bytes
@@ -78,9 +78,8 @@ def _built(work: Work, unnamed: set[str], file: str) -> Built:
     taken, box = work.taken, work.box
     names = sorted(taken.files.keys() - (unnamed - {file}))
     name = name_of(work, file, names)
-    place = place_of(name)
-    if is_there(place):
-        return Built(place)
+    if there := stored(name):
+        return Built(there)
     folder, made = work.folder / f"{SOURCES}-{name[:16]}", work.folder / f"{name[:16]}.o"
     taken.write_to(folder, names)
     box.give(folder)
@@ -96,7 +95,7 @@ def _built(work: Work, unnamed: set[str], file: str) -> Built:
         data = made.read_bytes()
         if INTERPRETER in data:
             return Built(None, f"{file} names a program to start it with (a section .interp)")
-        return Built(store(data, place))
+        return Built(store(data, name))
     except Overrun as overrun:
         return Built(None, f"{file} wasn't compiled: {overrun}")
     finally:
@@ -134,15 +133,15 @@ def place_of(name: str) -> Path:
     return CACHE / name[:2] / name[2:]
 
 
-def is_there(object_file: Path) -> bool:
-    """Whether the object exists and is whole: a power loss may leave half of it. Marks it as
-    used."""
+def stored(name: str) -> Path | None:
+    """The object, if it is there and whole: a power loss may leave half of it. Marks it as used."""
+    path = place_of(name)
     try:
-        os.utime(object_file)
-        data = object_file.read_bytes()
+        os.utime(path)
+        data = path.read_bytes()
     except FileNotFoundError:
-        return False
-    return hashlib.sha256(data[:-DIGEST]).digest() == data[-DIGEST:]
+        return None
+    return path if hashlib.sha256(data[:-DIGEST]).digest() == data[-DIGEST:] else None
 
 
 def contents_of(stored: Path) -> bytes:
@@ -150,9 +149,10 @@ def contents_of(stored: Path) -> bytes:
     return stored.read_bytes()[:-DIGEST]
 
 
-def store(data: bytes, path: Path) -> Path:
+def store(data: bytes, name: str) -> Path:
     """Writes an object for concurrent gradings to share. Its digest follows; linkers don't read
     that far."""
+    path = place_of(name)
     forget_old(path.parent)
     whole = data + hashlib.sha256(data).digest()
     write_whole(path, whole, mode=0o644)  # a box reads it as another user

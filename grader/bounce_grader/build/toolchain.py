@@ -144,22 +144,15 @@ def link_alone(part: Part, work: Work) -> Built:
     If that fails, a second try adds the files of the other parts, which may define what this part
     needs. The given parts still come first, and duplicate definitions are allowed.
     """
-    helpers = [built.path for built in work.helpers]
-    own, name = [
-        work.parts[part.number].path,
-        *helpers,
-        *_given(part),
-    ], f"{work.kind}-alone{part.number}"
+    helpers, name = [built.path for built in work.helpers], f"{work.kind}-alone{part.number}"
+    given = [RUNNER / f"given_part{number}.o" for number in part.calls]
+    own = [work.parts[part.number].path, *helpers, *given]
     alone = _link(work, name, own)
     others = [b.path for number, b in work.parts.items() if number != part.number and b.path]
     if alone.path or not (others or helpers):
         return alone
     second = _link(work, name, [*own, *others], "--allow-multiple-definition")
     return second if second.path else alone
-
-
-def _given(part: Part) -> list[Path]:
-    return [RUNNER / f"given_part{number}.o" for number in part.calls]
 
 
 def _link(work: Work, name: str, files: Iterable[Path | None], *flags: str) -> Built:

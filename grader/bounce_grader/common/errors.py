@@ -15,6 +15,12 @@ class KitError(Exception):
     """The kit itself failed, which says nothing about a submission: exit status 3."""
 
 
+def raise_if_full(error: Exception) -> None:
+    """Raises the error again if the disk is full, which is no submission's fault."""
+    if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+        raise error
+
+
 @contextmanager
 def about_one_submission(failure: str) -> Iterator[None]:
     """Turns an unexpected error in work on one submission into a UsageError, so that the others go
@@ -24,8 +30,7 @@ def about_one_submission(failure: str) -> Iterator[None]:
     except (UsageError, KitError):
         raise
     except Exception as error:
-        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
-            raise
+        raise_if_full(error)
         why = (isinstance(error, OSError) and error.strerror) or str(error)
         reason = printable_name(": ".join(filter(None, [type(error).__name__, why])))
         raise UsageError(f"{failure} ({reason}): look at its files") from error

@@ -59,12 +59,17 @@ def write_whole(path: Path, data: str | bytes, durable: bool = False, mode: int 
             os.close(handle)
 
 
-def write_zip(path: Path, held: Mapping[str, tuple[bytes, int]], compressed: bool) -> None:
-    """Writes a zip that only its owner can read. Raises UsageError if that can't be done."""
+def require_folder(path: Path) -> None:
+    """Raises UsageError if there is no folder for this file."""
     if not path.parent.is_dir():
         raise UsageError(f"{path} can't be written: there is no folder {path.parent}")
+
+
+def write_asked(path: Path, data: str | bytes, mode: int = 0) -> None:
+    """Writes a file that the command line names. Raises UsageError if that can't be done."""
+    require_folder(path)
     try:
-        write_whole(path, zipped(held, compressed), mode=0o600)
+        write_whole(path, data, mode=mode)
     except OSError as error:
         raise UsageError(f"{path} can't be written: {error.strerror}") from error
 

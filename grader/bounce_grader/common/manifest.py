@@ -68,10 +68,8 @@ def _part(number: int, entry: Any) -> Part:
     for at, check in enumerate(entry["checks"], 1):
         _require(f"check {at} of {what}", check, id=str, title=str)
     checks = tuple(Check(one["id"], one["title"], one.get("points")) for one in entry["checks"])
-    points, calls = entry.get("points", _sum(checks)), tuple(entry["calls"])
-    return Part(
-        entry["part"], entry["stem"], entry["title"], entry["function"], points, checks, calls
-    )
+    of = (entry["part"], entry["stem"], entry["title"], entry["function"])
+    return Part(*of, entry.get("points", _sum(checks)), checks, tuple(entry["calls"]))
 
 
 def _require(what: str, entry: Any, **forms: type) -> None:
@@ -91,9 +89,7 @@ def _shared(part: Part) -> tuple[Check, ...]:
     scale = part.points / (_sum(part.checks) or 1)
     totals = accumulate((check.points for check in part.checks), initial=0.0)
     shares = pairwise(round(total * scale) for total in totals)
-    return tuple(
-        c._replace(points=after - before) for c, (before, after) in zip(part.checks, shares)
-    )
+    return tuple(c._replace(points=end - start) for c, (start, end) in zip(part.checks, shares))
 
 
 def parts() -> tuple[Part, ...]:
@@ -133,9 +129,8 @@ def _problems(found: tuple[Part, ...], examples: object) -> Iterator[str]:
                 yield f"the points of {what} have to be a whole number that isn't negative"
         if part.points and not _sum(part.checks):
             yield f"part {number} gives {part.points:g} points, and its checks none: give one some"
-        if any(
-            check.points > 0 == whole.points for check, whole in zip(part.checks, _shared(part))
-        ):
+        shared = zip(part.checks, _shared(part))
+        if any(check.points > 0 == whole.points for check, whole in shared):
             yield f"part {number} has too few points for its checks: give it more"
     for id, times in Counter(check.id for part in found for check in part.checks).items():
         if times > 1:

@@ -38,15 +38,14 @@ def refused(sentence: str) -> str:
 
 
 def _test(number: str, part: sentences.Part, check: sentences.Part) -> dict[str, Any]:
-    hint = check["hint"]["heading"]
+    words, hint = printable(sentences.check_words(part, check)), check["hint"]["heading"]
     return {
         "number": number,
         "name": check["title"],
         "score": check["score"],
         "max_score": check["max_score"],
         "status": "passed" if check["passed"] else "failed",
-        "output": printable(sentences.check_words(part, check))
-        + (f"\nhint {hint}" if hint else ""),
+        "output": f"{words}\nhint {hint}" if hint else words,
         "tags": [part["stem"]],
         "visibility": "visible",
     }

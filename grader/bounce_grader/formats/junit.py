@@ -20,8 +20,8 @@ def render(record: Report) -> str:
 
 def _suite(part: sentences.Part) -> ElementTree.Element:
     """The suite of a part. A check that didn't run is an error, a wrong answer a failure."""
-    errors = [c for c in part["checks"] if not c["passed"] and _did_not_run(part, c)]
     failed = [check for check in part["checks"] if not check["passed"]]
+    errors = [check for check in failed if _did_not_run(part, check)]
     counts = {"tests": len(part["checks"]), "failures": len(failed) - len(errors)}
     counts |= {"errors": len(errors), "skipped": 0}
     named = {"name": part["stem"]} | {name: str(count) for name, count in counts.items()}

@@ -7,7 +7,6 @@ from bounce_grader.grading.report import Report
 
 Part = dict[str, Any]  # of a report, or one of its checks
 STATUS_WORDS = {
-    "graded": "graded",
     "not_submitted": "not submitted",
     "does_not_compile": "does not build",
     "crashed": "crashed",
@@ -39,7 +38,7 @@ def check_words(part: Part, check: Part) -> str:
     known mistakes, for formats that have no other place for them; the first of a part with all
     points has the remarks."""
     message = check["message"] or ("" if check["passed"] else part_words(part))
-    first_failed = _first_failed(part)
+    first_failed = next((one for one in part["checks"] if not one["passed"]), None)
     if not first_failed and check is part["checks"][0]:
         return "\n".join(part.get("remarks", []))
     mistakes = mistake_words(part) if check is first_failed else []
@@ -93,7 +92,3 @@ def first_to_do(record: Report) -> str:
             advice = check["hint"]["heading"]
             return f"First: {number} {check['title']}" + (f"; hint {advice}" if advice else "")
     return ""
-
-
-def _first_failed(part: Part) -> Part | None:
-    return next((check for check in part["checks"] if not check["passed"]), None)

@@ -35,9 +35,8 @@ def lines(record: Report) -> list[tuple[str, str]]:
         files = first_few([*map(terminal, unusual)], more=record.get("ignored_more", 0))
         out.append(("dim", f"Not used: {files}"))
     if record["box"] == "none":
-        out.append(
-            ("yellow", "Graded without a sandbox: the submitted code could do anything you can.")
-        )
+        words = "Graded without a sandbox: the submitted code could do anything you can."
+        out.append(("yellow", words))
     return out
 
 

@@ -35,13 +35,11 @@ def judged(cases: bytes, box: Box) -> tuple[Record | None, list[Record]]:
     try:
         found = _judged(cases if is_own else b"", box)
     except Overrun as overrun:
-        late = _part_record(0.0, fact("no_time", str(overrun)))
-        return None, [late] if late else []
+        return None, _part_records(0.0, fact("no_time", str(overrun)))
     caught, missed = len(found["caught"]), found["missed"]
     every = caught + len(missed)
     why = fact("cases_caught", str(caught), str(every))
-    part = _part_record(caught / every, why, missed)
-    return found, [part] if part else []
+    return found, _part_records(caught / every, why, missed)
 
 
 def wrong_in(text: str) -> Iterator[str]:
@@ -60,16 +58,16 @@ def _judged(cases: bytes, box: Box) -> Record:
     return dict(json.loads(result.out))
 
 
-def _part_record(share: float, why: Facts, missed: Sequence[str] = ()) -> Record | None:
-    """A part of the record, in which each buggy program that is caught gives its share; None if they
+def _part_records(share: float, why: Facts, missed: Sequence[str] = ()) -> list[Record]:
+    """The part of the record in which each buggy program that is caught gives its share; none if they
     give no points."""
     most, number = example_points(), len(parts()) + 1
     if not most:
-        return None
+        return []
     check = Check(f"part{number}.CasesCatchWrongPrograms", "cases catch all buggy programs", most)
     part = Part(number, f"part{number}_examples", "Cases", "", most, (check,), ())
     made = failed_part(part, "graded", why)
     made["notes"] = [fact("cases_missed", ", ".join(missed))] if missed else []
     made["score"] = made["checks"][0]["score"] = round(most * share, 2)
     made["checks"][0]["passed"] = share == 1
-    return made
+    return [made]

@@ -11,14 +11,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
-from bounce_grader.build.compile import (
-    compile_all,
-    contents_of,
-    is_there,
-    place_of,
-    store,
-    toolchain_digest,
-)
+from bounce_grader.build.compile import compile_all, contents_of, store, stored, toolchain_digest
 from bounce_grader.build.toolchain import link_alone, Work
 from bounce_grader.common.errors import KitError
 from bounce_grader.common.escaping import first_few, in_one_line, printable_name, printable_text
@@ -100,9 +93,8 @@ def which_counts(part: Part, own: Judged | None, given: Judged | None) -> Judged
             for id, verdict in own.verdicts.items()
             if not verdict.passed
         }
-        return own._replace(
-            verdicts=own.verdicts | verdicts, mistakes=given.mistakes, patterns=given.patterns
-        )
+        own = own._replace(verdicts=own.verdicts | verdicts)
+        return own._replace(mistakes=given.mistakes, patterns=given.patterns)
     return own
 
 
@@ -212,11 +204,8 @@ def with_cause(
 ) -> Judged:
     """The same verdicts; those about crashes that no assertion explains also say what the
     sanitizers found, if anything."""
-    unclear = {
-        id: verdict
-        for id, verdict in judged.verdicts.items()
-        if verdict.status == "crashed" and (verdict.ended or {}).get("what") != "assertion"
-    }
+    crashed = {id: v for id, v in judged.verdicts.items() if v.status == "crashed"}
+    unclear = {id: v for id, v in crashed.items() if (v.ended or {}).get("what") != "assertion"}
     again = _again(part, checked(), hidden) if unclear else {}
     found = {id: _found_in(again[id]) for id in unclear if id in again}
     named = {id: unclear[id]._replace(found=kind) for id, kind in found.items()}
@@ -239,14 +228,14 @@ def remark(part: Part, checked: Work) -> tuple[Facts, Place | None] | None:
     cases = [(f.name, f.stat().st_mtime_ns) for f in sorted((FIXTURES / "public").iterdir())]
     known = (SENTENCES / "crashes.txt").read_text("utf-8")
     made_from = [toolchain_digest(), JUDGE.stat().st_mtime_ns, part, objects, cases, known]
-    place = place_of(digest("remark", *made_from))
-    if is_there(place):
-        found, at = json.loads(contents_of(place))
+    name = digest("remark", *made_from)
+    if there := stored(name):
+        found, at = json.loads(contents_of(there))
         return (found, Place(*at) if at else None) if found else None
     again = _again(part, checked, None)
     made = _remark(part, again)
     if again and not any(verdict.status == "timed_out" for verdict in again.values()):
-        store(json.dumps(made or [None, None]).encode(), place)
+        store(json.dumps(made or [None, None]).encode(), name)
     return made
 
 

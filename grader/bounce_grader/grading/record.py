@@ -44,9 +44,8 @@ def known_mistakes() -> dict[str, Record]:
 
 def failed_part(part: Part, status: str, why: Facts, place: Place | None = None) -> Record:
     """The record of a part that couldn't be run at all."""
-    return _part(part, status, why, dict.fromkeys((c.id for c in part.checks), NOT_RUN)) | _at(
-        place
-    )
+    verdicts = {check.id: NOT_RUN for check in part.checks}
+    return _part(part, status, why, verdicts) | _at(place)
 
 
 def part_record(part: Part, judged: Judged) -> Record:
@@ -71,18 +70,13 @@ def _part(part: Part, status: str, why: Facts | None, verdicts: dict[str, Verdic
         "status": status,
         "graded_with": "own",
         "why": why,
-        "notes": [],
-        "mistakes": [],
-        "patterns": [],
-        "remarks": [],
+        **{name: [] for name in ("notes", "mistakes", "patterns", "remarks")},
         "checks": [_check(check, verdicts[check.id]) for check in part.checks],
     }
 
 
 def _check(check: Check, verdict: Verdict) -> Record:
-    facts = verdict._asdict()
-    for name in ("stack", "place"):
-        del facts[name]
+    facts = {name: x for name, x in verdict._asdict().items() if name not in ("stack", "place")}
     return {
         "id": check.id,
         "title": check.title,
@@ -108,8 +102,7 @@ def whole(submission: Submission, part_records: list[Record], **facts: Any) -> R
     the box, the seconds of each phase, fixtures_sha256, the speed, and the examples."""
     rest = len(submission.ignored) - MOST_IGNORED
     return {
-        "score": sum(p["score"] for p in part_records),
-        "max_score": sum(p["max_score"] for p in part_records),
+        **{key: sum(part[key] for part in part_records) for key in ("score", "max_score")},
         "parts": [_with_paths(part, submission) for part in part_records],
         **{name: fact for name, fact in facts.items() if fact},
         "kit": __version__,
@@ -134,10 +127,5 @@ def _with_paths(part: Record, submission: Submission) -> Record:
 
 
 def digest_of(folders: list[Path]) -> str:
-    return digest(
-        [
-            (folder.name, file.name, file.read_bytes())
-            for folder in folders
-            for file in sorted(folder.glob("*.json"))
-        ]
-    )
+    files = [file for folder in folders for file in sorted(folder.glob("*.json"))]
+    return digest([(file.parent.name, file.name, file.read_bytes()) for file in files])

@@ -56,12 +56,10 @@ def _bounded(part: Record) -> Record:
 
 
 def _told(record: Record, parts: list[Record], end_of_curves: str) -> Record:
+    """The record with these parts, and with where and why the curves of a submission end early."""
     told, speed = record | {"parts": parts}, record.get("speed") or {}
     if "cut" in speed:
-        told["speed"] = speed | {"cut": _why_cut(speed["cut"], end_of_curves)}
+        cut = speed["cut"]
+        why = f"at dt = {cut['dt']:.2g} s: {end_of_curves or cut['sentence']}" if cut else ""
+        told["speed"] = speed | {"cut": printable_text(why)}
     return told
-
-
-def _why_cut(cut: Record | None, end: str) -> str:
-    """Where and why the curves of a submission end early; empty if they don't."""
-    return printable_text(f"at dt = {cut['dt']:.2g} s: {end or cut['sentence']}") if cut else ""

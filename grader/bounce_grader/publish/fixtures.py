@@ -45,12 +45,8 @@ def write_cases(to: Path) -> None:
 
 def differing(made: Path) -> list[str]:
     """The files, as paths in fixtures/, that differ by even a byte or are only on one side."""
-    names = {
-        f"{folder}/{file.name}"
-        for folder in FOLDERS
-        for root in (made, FIXTURES)
-        for file in (root / folder).glob("*.*")
-    }
+    sides = [(root, folder) for root in (made, FIXTURES) for folder in FOLDERS]
+    names = {f"{at}/{file.name}" for root, at in sides for file in (root / at).glob("*.*")}
     return [name for name in sorted(names) if not _are_equal(made / name, FIXTURES / name)]
 
 

@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Iterator
 from pathlib import Path
 
-from bounce_grader.common.files import write_zip
+from bounce_grader.common.files import write_asked, zipped
 from bounce_grader.common.paths import ROOT
 from bounce_grader.grading import fixtures
 
@@ -24,7 +24,7 @@ def run(options: argparse.Namespace) -> int:
     for file in sorted(_packed(ROOT)):
         mode = 0o755 if file.stat().st_mode & 0o100 else 0o644
         held[file.relative_to(ROOT).as_posix()] = file.read_bytes(), mode
-    write_zip(options.out, held, compressed=True)
+    write_asked(options.out, zipped(held, compressed=True), mode=0o600)
     return 0
 
 

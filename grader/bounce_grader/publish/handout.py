@@ -9,7 +9,7 @@ import argparse
 from pathlib import Path
 
 from bounce_grader.common.errors import UsageError
-from bounce_grader.common.files import write_zip
+from bounce_grader.common.files import write_asked, zipped
 from bounce_grader.common.paths import HANDOUT, ROOT
 from bounce_grader.grading.examples import TABLE, wrong_in
 from bounce_grader.publish import handout_data, handout_page, wrong_programs
@@ -41,9 +41,8 @@ HAVE_CASES = ("README.md", "examples.txt")
 def run(options: argparse.Namespace) -> int:
     """Refuses what no longer follows from the default parameters."""
     if TABLE.read_text("utf-8") != wrong_programs.table():
-        raise UsageError(
-            f"fixtures/public/{TABLE.name} isn't what the kit writes: run ./kit fixtures"
-        )
+        differs = f"fixtures/public/{TABLE.name} isn't what the kit writes"
+        raise UsageError(f"{differs}: run ./kit fixtures")
     for name in HAVE_CASES:
         for wrong in wrong_in((HANDOUT / name).read_text("utf-8")):
             raise UsageError(f"student/{name}, {wrong}: work out this case again")
@@ -87,5 +86,5 @@ def write(path: Path) -> int:
     """Writes the zip, whole or not at all, and returns how many files it holds."""
     modes = {"check": 0o755}
     held = {f"{TOP}/{n}": (data, modes.get(n, 0o644)) for n, data in contents().items()}
-    write_zip(path, held, compressed=False)
+    write_asked(path, zipped(held, compressed=False), mode=0o600)
     return len(held)

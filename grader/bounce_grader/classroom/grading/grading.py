@@ -1,6 +1,5 @@
 """Grades submissions that have no result, here or on a Dask cluster, and summarizes all results."""
 
-import errno
 import multiprocessing
 import os
 import signal
@@ -16,7 +15,7 @@ from typing import Any
 from bounce_grader.classroom.grading import results
 from bounce_grader.classroom.grading.results import Stamp, Task, Unit
 from bounce_grader.classroom.grading.summary import Summary
-from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.common.errors import KitError, raise_if_full, UsageError
 from bounce_grader.common.escaping import terminal
 from bounce_grader.common.progress import Progress
 from bounce_grader.grading.report import NO_REPORT, reports
@@ -162,8 +161,7 @@ def on_dask(tasks: Sequence[Task], scheduler: str, unit: Unit) -> Graded:
         for future in as_done(list(of), loop=client.loop):
             yield of[future], _outcome(future)
     except (OSError, CancelledError) as error:
-        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
-            raise
+        raise_if_full(error)
         lost = "the Dask scheduler was lost: start it, and run the same command again"
         raise KitError(lost) from error
     finally:

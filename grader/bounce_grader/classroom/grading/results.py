@@ -5,7 +5,6 @@ all. So a submission can be graded any number of times and anywhere, and the res
 versions of the kit lie side by side; set.json says which version's results count.
 """
 
-import errno
 import json
 import os
 from collections.abc import Callable
@@ -16,7 +15,7 @@ from typing import Any, NamedTuple
 from bounce_grader import __version__
 from bounce_grader.classroom.intake import uploads
 from bounce_grader.classroom.intake.student import Student
-from bounce_grader.common.errors import KitError, UsageError
+from bounce_grader.common.errors import KitError, raise_if_full, UsageError
 from bounce_grader.common.escaping import first_few, in_one_line, printable_name
 from bounce_grader.common.files import digest, write_whole
 from bounce_grader.common.manifest import parts
@@ -121,8 +120,7 @@ def grade_one(task: Task, grade: Grade = grade_submission) -> str:
         result = json.dumps(_result(task, grade))
         write_whole(task.folder / f"{task.key}.json", result, durable=True)
     except (KitError, OSError) as error:
-        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
-            raise
+        raise_if_full(error)
         return str(error)
     except Exception as error:  # an unforeseen fault of the kit
         return f"{type(error).__name__}: {error}"

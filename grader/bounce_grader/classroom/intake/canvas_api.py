@@ -17,7 +17,7 @@ from urllib.parse import urlsplit
 
 import requests
 from urllib3.exceptions import HTTPError
-from bounce_grader.classroom.intake.services import canvas_page, sanitized
+from bounce_grader.classroom.intake.services import canvas_page, sanitized, TYPED
 from bounce_grader.classroom.intake.student import Class, Student, Upload
 from bounce_grader.classroom.intake.uploads import may_count, MOST_UPLOADS, student_of
 from bounce_grader.common.errors import KitError, UsageError
@@ -31,7 +31,6 @@ SECONDS = 60.0  # of one request
 LARGEST = 64 << 20  # bytes of one answer, and of all files of a student
 ALSO = "&include[]=".join(("", "user", "group", "assignment", "submission_comments"))
 FILES = "canvas"  # the folder in OUT with what was downloaded
-TYPED = {"online_text_entry": "text was typed", "online_url": "an address was typed"}
 
 Fields = Mapping[str, str]
 IsDone = Callable[[], bool] | None

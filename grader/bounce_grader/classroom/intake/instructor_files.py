@@ -45,19 +45,17 @@ def _adjustment(path: Path, line: int, row: dict[str, str]) -> Adjustment:
     if not (row["student"] and row["reason"] and any(row[column] for column in CHANGES)):
         raise UsageError(f"{where} fill in student, reason and one of {', '.join(CHANGES)}")
     word, number = POINTS.findall(row["points"])[0]
-    points, sets = number_in(number.replace("\N{MINUS SIGN}", "-")), word.lower().replace(
-        "exactly", "="
-    )
-    if row["points"] and not (
-        points is not None and abs(points) < 1e6 and (points >= 0 or not sets)
-    ):
+    sets = word.lower().replace("exactly", "=")
+    points = number_in(number.replace("\N{MINUS SIGN}", "-"))
+    is_right = points is not None and abs(points) < 1e6 and (points >= 0 or not sets)
+    if row["points"] and not is_right:
         raise UsageError(f"{where} points should be {FORMS}, and is {row['points']!r}")
     if not re.fullmatch(r"\d{0,4}", row["late_days"]):
         raise UsageError(f"{where} late_days is a whole number, and no {row['late_days']!r}")
     late_days = int(row["late_days"]) if row["late_days"] else None
-    drop, why = _checks(where, row["drop"]), (row["reason"], row["comment"])
+    change = (points or 0.0, sets, late_days, _checks(where, row["drop"]))
     short = f"{ADJUSTMENTS}, line {line}:"
-    return Adjustment(short, row["student"], points or 0.0, sets, late_days, drop, *why)
+    return Adjustment(short, row["student"], *change, row["reason"], row["comment"])
 
 
 def _checks(where: str, text: str) -> tuple[str, ...]:

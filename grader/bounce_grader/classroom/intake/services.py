@@ -49,8 +49,8 @@ from bounce_grader.common.escaping import printable_name
 from bounce_grader.common.files import fitting
 
 Read = dict[str, Upload | str]  # by entry; or why it is of nobody
-TEXT, ADDRESS = "text was typed", "an address was typed"
-TYPED = {"text": TEXT, "link": ADDRESS, "onlinetext": TEXT, ".txt": TEXT}
+TYPED = dict.fromkeys(("text", "onlinetext", ".txt", "online_text_entry"), "text was typed")
+TYPED |= dict.fromkeys(("link", "online_url"), "an address was typed")
 UNKNOWN = "isn't named as {} names submissions"
 ID = "[0-9]{1,20}"
 WHO = (  # in Canvas's names
@@ -153,13 +153,7 @@ def _moodle_page(uploads: Sequence[Upload]) -> str:
 
 def _read_blackboard(archive: Archive, _people: Names) -> Read:
     """The files of each user's attempts, and the text of the newest if that has none."""
-    read: Read = {}
-    heads: dict[str, list[Upload]] = defaultdict(list)
-    for entry in archive.names:
-        if upload := BLACKBOARD.parse(entry):
-            heads[upload.user].append(upload)
-        else:
-            read[entry] = UNKNOWN.format("Blackboard")
+    heads, read = _by_user(BLACKBOARD, archive)
     whose = {head: _person(archive, head, of) for head, of in heads.items()}
     times = Counter(user for user, _ in whose.values())
     for head, uploads in heads.items():
@@ -175,6 +169,18 @@ def _read_blackboard(archive: Archive, _people: Names) -> Read:
         else:
             read |= _attempts(files, user, name)
     return read
+
+
+def _by_user(service: Service, archive: Archive) -> tuple[dict[str, list[Upload]], Read]:
+    """The uploads of each user; and the entries that aren't named as the service names them."""
+    uploads: dict[str, list[Upload]] = defaultdict(list)
+    unknown: Read = {}
+    for entry in archive.names:
+        if upload := service.parse(entry):
+            uploads[upload.user].append(upload)
+        else:
+            unknown[entry] = UNKNOWN.format(service.title)
+    return uploads, unknown
 
 
 def _attempts(uploads: Sequence[Upload], user: str, name: str) -> Read:
@@ -196,13 +202,8 @@ def _person(archive: Archive, head: str, uploads: Sequence[Upload]) -> tuple[str
 def _read_brightspace(archive: Archive, people: Names) -> Read:
     """The files of each student. Who has the same name as exactly one of these `people`, and as nobody
     else here, is that person; anybody else has the numbers as an id."""
-    read: Read = {}
-    attempts: dict[str, list[Upload]] = defaultdict(list)
-    for entry in archive.names:
-        if upload := BRIGHTSPACE.parse(entry):
-            attempts[upload.user].append(upload)
-        elif entry != "index.html":
-            read[entry] = UNKNOWN.format("Brightspace")
+    attempts, read = _by_user(BRIGHTSPACE, archive)
+    read.pop("index.html", None)
     named, whose = Counter(of[0].name.casefold() for of in attempts.values()), defaultdict(list)
     for id, names in people.items():
         family, _, given = names[0].partition(", ")

@@ -77,11 +77,8 @@ def fill(
         if from_canvas and not meant[0].listed and name != line.person:
             whose_points = f"has the points of {name}: give the others of a group the same"
             sentences.append(f"{who} {whose_points}")
-    sentences += [
-        f"{final.name} ({final.id}) is graded, but isn't in {book.name}"
-        for final in sorted(finals, key=lambda final: final.id)
-        if final.id not in times
-    ]
+    others = sorted((one for one in finals if one.id not in times), key=lambda one: one.id)
+    sentences += [f"{one.name} ({one.id}) is graded, but isn't in {book.name}" for one in others]
     if without:
         sentences.append(f"{first_few(without, 20, '; ')}: no score, so nothing is filled in")
     return filled, list(dict.fromkeys(sentences))
