@@ -145,7 +145,12 @@ class Handler(BaseHTTPRequestHandler):
         head, _, body = data.partition(b'filename="')[2].partition(b"\r\n\r\n")
         self.state.names[id] = head.partition(b'"')[0].decode().replace(".html", "-1.html")
         files[id] = body.rpartition(b"\r\n--")[0]
-        self._answer(201, {"id": id})
+        canvas = self.here.replace("localhost", "127.0.0.1")
+        made = f"{canvas}/api/v1/files/{id}/create_success"
+        if id % 2:
+            self._answer(303, b"", Location=made)
+        else:
+            self._answer(201, {"id": id})
 
     def _get(self) -> None:
         url, state = urllib.parse.urlsplit(self.path), self.state
@@ -165,6 +170,8 @@ class Handler(BaseHTTPRequestHandler):
             more = first + PAGE < len(state.submissions)
             link = f'<{self.here}{url.path}?page={first + PAGE}>; rel="next"' if more else ""
             self._answer(200, text, Link=f'<{self.here}{url.path}>; rel="current",{link}')
+        elif made := re.fullmatch(r"/api/v1/files/(\d+)/create_success", url.path):
+            self._answer(200, {"id": int(made[1])})
         elif url.path == "/api/v1/courses/7/late_policy" and state.late_policy:
             self._answer(200, {"late_policy": {"late_submission_deduction_enabled": True}})
         elif url.path.startswith("/api/v1/courses/7/assignments/9/submissions/"):

@@ -102,8 +102,9 @@ class Canvas:
         return _json(self.request(method, self._origin + path, is_done, data=fields)[0])
 
     def request(self, method: str, url: str, is_done: IsDone = None, **content: Any) -> Answer:
-        """The body of an answer, and the address of the list's next page. Raises UsageError if the
-        token isn't accepted, Refused if this request isn't, NoAnswer if there is none."""
+        """The body of an answer, and the address of the list's next page, or of what was made.
+        Raises UsageError if the token isn't accepted, Refused if this request isn't, NoAnswer if
+        there is none."""
         for attempt in range(TRIES - 1):
             try:
                 return self._request(method, url, content)
@@ -134,7 +135,8 @@ class Canvas:
         if not answer.ok:
             lacks = ": CANVAS_TOKEN's owner lacks the right" * (answer.status_code in (401, 403))
             raise Refused(f"{answer.status_code} {printable_name(answer.reason or '')}{lacks}")
-        return body, answer.links.get("next", {}).get("url")
+        made = answer.headers.get("Location") if answer.status_code != 200 else None
+        return body, answer.links.get("next", {}).get("url", made)
 
     def _sign(self, request: Any) -> Any:
         """Adds the token if a request goes to Canvas's own address; a redirection elsewhere loses

@@ -185,7 +185,9 @@ def _upload(canvas: Canvas, path: str, name: str, data: bytes) -> int:
     try:
         told = canvas.call("POST", path, asked)
         url, fields = str(told["upload_url"]), dict(told["upload_params"])
-        body, _ = canvas.request("POST", url, data=fields, files=page)
+        body, made = canvas.request("POST", url, data=fields, files=page, allow_redirects=False)
+        if made:  # asked for apart, as a redirection would lose the token
+            body, _ = canvas.request("GET", made)
         return int(json.loads(body)["id"])
     except (KeyError, TypeError, ValueError):
         raise Refused("it doesn't say where the page goes, or gives no id for it") from None
