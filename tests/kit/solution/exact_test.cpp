@@ -313,7 +313,8 @@ TEST(exact, IsTheSameInLongDouble) {
   for (const Scene& scene : scenes()) {
     const auto start = motion_of(scene.start);
     const auto usual = motions(scene.params, start, even_times(scene.until));
-    EXPECT_LE(error_of(scene, usual, truth_of(scene)), 1e-8) << scene.name;
+    const bool magnifies = scene.name == "ten_seconds";  // each of its impacts, errors of before
+    EXPECT_LE(error_of(scene, usual, truth_of(scene)), magnifies ? 1e-8 : 1e-9) << scene.name;
     EXPECT_TRUE(std::isinf(error_of(scene, {}, truth_of(scene)))) << scene.name;
   }
 }

@@ -44,7 +44,10 @@ def test_an_engine_that_does_not_move_is_right_at_rest_alone(tmp_path: Path, cap
         and sum("no run within" in row for row in table) == len(errors) - 1
     )
     assert "box2d" in (tmp_path / "bench.svg").read_text()
-    for line in (tmp_path / "asked").read_text().splitlines():
+    questions = (tmp_path / "asked").read_text().splitlines()
+    page = (ADAPTERS / "README.md").read_text()
+    assert f"{len(questions)} times in all" in page and f"are {len(errors)} scenes" in page
+    for line in questions:
         asked = json.loads(line)
         validate(asked, "asked")
         assert asked["times"] == sorted(asked["times"])

@@ -62,7 +62,8 @@ class NoAnswer(KitError):
     def __init__(self, url: str) -> None:
         parsed = urlsplit(url)
         self.server = f"{parsed.scheme}://{parsed.netloc.rpartition('@')[2]}"
-        super().__init__(f"no answer from {self.server}: give the same command again later")
+        again = "give the same command again later, which goes on where this one stopped"
+        super().__init__(f"{self.server} is too busy, or gives no answer: {again}")
 
 
 class Canvas:

@@ -78,7 +78,8 @@ def fill(
             whose_points = f"has the points of {name}: give the others of a group the same"
             sentences.append(f"{who} {whose_points}")
     others = sorted((one for one in finals if one.id not in times), key=lambda one: one.id)
-    sentences += [f"{one.name} ({one.id}) is graded, but isn't in {book.name}" for one in others]
+    unsure = f"is graded, but {book.name} has no row that is surely theirs"
+    sentences += [f"{one.name} ({one.id}) {unsure}" for one in others]
     if without:
         sentences.append(f"{first_few(without, 20, '; ')}: no score, so nothing is filled in")
     return filled, list(dict.fromkeys(sentences))
